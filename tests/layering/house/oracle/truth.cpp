@@ -1,0 +1,3 @@
+#include "oracle/truth.hpp"
+
+#include "settle.hpp"

@@ -1,0 +1,2 @@
+#include "reports/json.hpp"
+#include "routines/textbook.hpp"

@@ -1,0 +1,2 @@
+#pragma once
+#include "tests/audit/judge_test.cpp"

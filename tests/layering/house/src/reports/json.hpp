@@ -1,0 +1,3 @@
+#pragma once
+#include "audit/judge.hpp"
+#include "oracle/truth.hpp"

@@ -1,0 +1,2 @@
+#pragma once
+#include "audit/judge.hpp"

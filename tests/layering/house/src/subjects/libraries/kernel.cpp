@@ -1,0 +1,3 @@
+#include <CGAL/Sphere_3.h>
+
+#include "subjects/subject.hpp"

@@ -1,0 +1,4 @@
+#pragma once
+#include "geometry/vec3.hpp"
+#include "oracle/truth.hpp"
+#include "routines/textbook.hpp"

@@ -1,0 +1,3 @@
+#include <gmpxx.h>
+
+#include "oracle/settle.hpp"
