@@ -1,0 +1,29 @@
+#pragma once
+
+#include "geometry/real.hpp"
+#include "geometry/vec3.hpp"
+
+namespace rayaudit {
+
+/// What a subject says of a case.
+struct Answer {
+  enum class Form : unsigned char {
+    miss,  ///< they do not meet
+    hit,   ///< they meet at t
+    at,    ///< they meet at a point; t is then its exact projection ((p - o).d) / (d.d)
+    yes,   ///< they meet, no word of where
+  };
+
+  Form form = Form::miss;
+  Real t = {};            ///< of a hit
+  Vec3<Real> point = {};  ///< of an at
+
+  friend bool operator==(const Answer&, const Answer&) = default;
+
+  static Answer miss() { return {}; }
+  static Answer yes() { return {.form = Form::yes}; }
+  static Answer hit(const Real& t) { return {.form = Form::hit, .t = t}; }
+  static Answer at(const Vec3<Real>& point) { return {.form = Form::at, .point = point}; }
+};
+
+}  // namespace rayaudit
