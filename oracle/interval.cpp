@@ -1,0 +1,59 @@
+#include <CGAL/Interval_nt.h>
+
+#include "oracle/fused.hpp"
+#include "oracle/stages.hpp"
+
+namespace rayaudit::oracle {
+namespace {
+
+using Interval = CGAL::Interval_nt<false>;
+
+}  // namespace
+
+/// CGAL's square is tighter than a product: it knows that both factors are one number.
+template <>
+[[gnu::always_inline]] inline Interval squared(const Interval& x) {
+  return CGAL::square(x);
+}
+
+template <>
+struct Signs<Interval> {
+  bool unsure = false;
+
+  int operator()(const Interval& x) {
+    if (x.inf() > 0) return 1;
+    if (x.sup() < 0) return -1;
+    if (!(x.inf() == 0 && x.sup() == 0)) unsure = true;
+    return 0;
+  }
+};
+
+namespace {
+
+template <template <class> class S>
+Outline outline(const Ray<double>& ray, const S<double>& shape) {
+  Signs<Interval> sign;
+  Outline found = settle<apex_side<S<double>>, Interval>(along_ray<Interval>(ray, shape),
+                                                         Range<Interval>(ray), sign, false);
+  // Where the stretch within the surface begins and ends is left to exact numbers.
+  found.unsure |= found.within;
+  return found;
+}
+
+/// Alone under upward rounding: nothing in here but intervals, and what leaves it leaves through
+/// memory. Compilers move plain arithmetic across the protector's end where they can see it.
+[[gnu::noinline]] void outline_rounding_upward(std::span<const Case* const> cases,
+                                               std::span<Outline> outlines) {
+  const Interval::Protector upward;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    with_shape(cases[i]->shape,
+               [&](const auto& shape) { outlines[i] = outline(cases[i]->ray, shape); });
+}
+
+}  // namespace
+
+void outline_by_intervals(std::span<const Case* const> cases, std::span<Outline> outlines) {
+  outline_rounding_upward(cases, outlines);
+}
+
+}  // namespace rayaudit::oracle

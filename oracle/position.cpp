@@ -1,0 +1,191 @@
+#include "oracle/position.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "oracle/dual.hpp"
+#include "oracle/fields.hpp"
+#include "oracle/fused.hpp"
+#include "oracle/prepared.hpp"
+#include "oracle/radical.hpp"
+
+namespace rayaudit::oracle {
+namespace {
+
+using Exact = CGAL::Mpzf;
+
+/// How many numbers a shape has.
+template <class S>
+constexpr std::size_t number_count() {
+  std::size_t count = 0;
+  for (const Part kind : S::kinds) count += kind == Part::length ? 1 : 3;
+  return count;
+}
+
+/// A Real in a number that fields are evaluated in.
+template <class V>
+V in_number(const Real& x);
+
+template <>
+[[gnu::always_inline]] inline Bounded in_number(const Real& x) {
+  const int e = x.exponent;
+  const Bounded sum =
+      e == 0 ? double_word::fast_two_sum(x.high, x.middle)
+             : double_word::fast_two_sum(std::ldexp(x.high, e), std::ldexp(x.middle, e));
+  const double rest = x.low == 0 ? 0 : std::fabs(std::ldexp(x.low, e)) + double_word::underflow;
+  return {sum.high, sum.low, e == 0 ? rest : rest + double_word::underflow};
+}
+
+template <>
+Exact in_number(const Real& x) {
+  Exact sum = Exact(x.high) + Exact(x.middle) + Exact(x.low);
+  for (int e = x.exponent; e != 0;) {
+    const int step = std::clamp(e, -1000, 1000);
+    sum = sum * Exact(std::ldexp(1.0, step));
+    e -= step;
+  }
+  return sum;
+}
+
+template <class V>
+[[gnu::always_inline]] inline Vec3<V> in_number(const Vec3<Real>& p) {
+  return {in_number<V>(p.x), in_number<V>(p.y), in_number<V>(p.z)};
+}
+
+/// F at a point with its derivatives by the point and, where n has room for them, by the numbers of
+/// the shape in their order.
+template <class V, std::size_t n, template <class> class S>
+[[gnu::always_inline]] inline Dual<V, n> field_at(const S<double>& shape, const Vec3<V>& p) {
+  using Number = Dual<V, n>;
+  std::size_t next = 3;
+  const auto variable = [&](double x) __attribute__((always_inline)) {
+    return n > 3 ? Number(V(x), next++) : Number(V(x));
+  };
+  struct Seed {
+    decltype(variable)& seed;
+    Number operator()(double x) const { return seed(x); }
+    Vec3<Number> operator()(const Vec3<double>& v) const {
+      return {seed(v.x), seed(v.y), seed(v.z)};
+    }
+  };
+  const auto numbers = std::apply(
+      [&](const auto&... part) { return S<Number>{Seed{variable}(part)...}; }, shape.parts());
+  const Vec3<Number> point = {Number(p.x, 0), Number(p.y, 1), Number(p.z, 2)};
+  return patch(numbers, point).field;
+}
+
+/// |F| / |grad F| in exact numbers: sqrt(F^2 g) / g with g = |grad F|^2.
+Position exact_position(const Shape& shape, const Vec3<Real>& point) {
+  return std::visit(
+      [&](const auto& s) -> Position {
+        const Dual<Exact, 3> f = field_at<Exact, 3>(s, in_number<Exact>(point));
+        const Exact g = f.by[0] * f.by[0] + f.by[1] * f.by[1] + f.by[2] * f.by[2];
+        const double undefined = std::numeric_limits<double>::quiet_NaN();
+        if (g.sign() == 0) return {f.value.sign(), {undefined, 0, 0, 0}};
+        if (f.value.sign() == 0) return {0, {}};
+        return {f.value.sign(),
+                value(Radical{.p = 0, .d = f.value * f.value * g, .q = g, .e = 1}, 60)};
+      },
+      shape);
+}
+
+bool usable(double x) { return std::isfinite(x) && x > 0x1p-900; }
+
+/// Sum |x_j dF/dx_j| over the numbers of a case at t, and dF/dt: t moves by their ratio.
+template <class V>
+struct Motion {
+  V by_inputs = V(0), by_t = V(0);
+};
+
+template <class V>
+[[gnu::always_inline]] inline V size(const V& x) {
+  return x < V(0) ? V(-x) : x;
+}
+
+template <class V, template <class> class S>
+[[gnu::always_inline]] inline auto motion(const Ray<double>& ray, const S<double>& shape,
+                                          const V& t) {
+  constexpr std::size_t n = 3 + number_count<S<double>>();
+  using Slope = typename SlopeOf<V>::type;
+  const auto& [o, d] = std::tie(ray.origin, ray.direction);
+  const Vec3<V> p = {V(o.x) + t * V(d.x), V(o.y) + t * V(d.y), V(o.z) + t * V(d.z)};
+  const auto& by = field_at<V, n>(shape, p).by;
+  Motion<Slope> sum;
+  const Slope lead = leading(t);
+  const auto along = [&](double origin, double direction, const Slope& slope) {
+    const Slope turned = Slope(direction) * slope;
+    sum.by_t = sum.by_t + turned;
+    sum.by_inputs = sum.by_inputs + size(Slope(origin) * slope) + size(lead * turned);
+  };
+  along(o.x, d.x, by[0]), along(o.y, d.y, by[1]), along(o.z, d.z, by[2]);
+  std::size_t next = 3;
+  const auto add = [&](double x) { sum.by_inputs = sum.by_inputs + size(Slope(x) * by[next++]); };
+  const auto each = [&](const auto& part) {
+    if constexpr (requires { part.x; })
+      add(part.x), add(part.y), add(part.z);
+    else
+      add(part);
+  };
+  std::apply([&](const auto&... part) { (each(part), ...); }, shape.parts());
+  return sum;
+}
+
+Sensitivity exact_sensitivity(const Case& question, const Real& t) {
+  const auto sum = std::visit(
+      [&](const auto& shape) { return motion<Exact>(question.ray, shape, in_number<Exact>(t)); },
+      question.shape);
+  if (sum.by_t.sign() == 0) return {{std::numeric_limits<double>::infinity(), 0, 0, 0}, 1};
+  return {value(Radical{.p = sum.by_inputs, .q = size(sum.by_t)}, 60), -sum.by_t.sign()};
+}
+
+}  // namespace
+
+Position position(const Shape& shape, const Vec3<Real>& point) {
+  int sign = 0;
+  double distance = 0;
+  run_fused([&]() __attribute__((always_inline)) {
+    with_shape(
+        shape, [&](const auto& s) __attribute__((always_inline)) {
+          const Dual<Bounded, 3> f = field_at<Bounded, 3>(s, in_number<Bounded>(point));
+          const double g = f.by[0] * f.by[0] + f.by[1] * f.by[1] + f.by[2] * f.by[2];
+          if (usable(g)) sign = proved_sign(f.value);
+          distance = std::fabs(f.value.high) / std::sqrt(g);
+        });
+  });
+  if (sign == 0 || !usable(distance)) return exact_position(shape, point);
+  return {sign, {distance, 0, 0, 0}};
+}
+
+Sensitivity sensitivity(const Case& question, const Crossing& crossing) {
+  // At a double root of F, t has no derivative; the surfaces there lie in F >= 0.
+  const bool twofold = crossing.kind == Kind::tangent || crossing.kind == Kind::apex;
+  if (twofold) return {{std::numeric_limits<double>::infinity(), 0, 0, 0}, 1};
+  if (!is_moderate(question)) return exact_sensitivity(question, crossing.t);
+  Motion<double> sum;
+  run_fused([&]() __attribute__((always_inline)) {
+    with_shape(
+        question.shape, [&](const auto& shape) __attribute__((always_inline)) {
+          sum = motion<Bounded>(question.ray, shape, in_number<Bounded>(crossing.t));
+        });
+  });
+  const double forced = sum.by_inputs / std::fabs(sum.by_t);
+  if (!usable(forced)) return exact_sensitivity(question, crossing.t);
+  return {{forced, 0, 0, 0}, sum.by_t > 0 ? -1 : 1};
+}
+
+Real projection(const Ray<double>& ray, const Vec3<Real>& point, int bits) {
+  const auto along = [&]<class V>(const Vec3<V>& p) {
+    const auto& [o, d] = std::tie(ray.origin, ray.direction);
+    const Vec3<V> toward = {V(d.x), V(d.y), V(d.z)};
+    return std::pair<V, V>(inner(from(Vec3<V>{V(o.x), V(o.y), V(o.z)}, p), toward),
+                           inner(toward, toward));
+  };
+  const auto [reach, length] = along(in_number<Bounded>(point));
+  const Bounded t = reach / length;
+  if (known_to(t, std::ldexp(1.0, -bits))) return {t.high, t.low, 0, 0};
+  const auto [exact_reach, exact_length] = along(in_number<Exact>(point));
+  return value(Radical{.p = exact_reach, .q = exact_length}, bits);
+}
+
+}  // namespace rayaudit::oracle

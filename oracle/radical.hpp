@@ -1,0 +1,38 @@
+#pragma once
+
+#include <CGAL/Mpzf.h>
+
+#include "oracle/settle.hpp"
+
+namespace rayaudit::oracle {
+
+/// An exact real: (p + e sqrt(d)) / q 2^exponent, e in -1, 0, 1; d >= 0, q != 0.
+struct Radical {
+  CGAL::Mpzf p = 0, d = 0, q = 1;
+  int e = 0;
+  int exponent = 0;
+};
+
+/// x to within 2^-bits |x|, bits at most 150.
+Real value(const Radical& x, int bits);
+
+/// x to nearest (ties to even) in N: float, double, long double.
+template <class N>
+N nearest(const Radical& x);
+
+Spelled spelled(const Radical& x, int digits);
+
+/// One root of F, exactly: how it stands, and its t (of a within: both ends).
+struct ExactRoot {
+  Outlined outlined;
+  Radical t, t_last;
+};
+
+/// The roots of a valid case in exact numbers: all, or those up to the first proper crossing.
+struct ExactRoots {
+  std::uint8_t count = 0;
+  std::array<ExactRoot, Truth::most> listed;
+};
+ExactRoots exact_roots(const Case& question, bool all);
+
+}  // namespace rayaudit::oracle

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "geometry/case.hpp"
+#include "geometry/format.hpp"
+#include "geometry/real.hpp"
+
+/// The exact truth of a case. Nothing behind this header rounds a decision, and nothing before it
+/// needs CGAL.
+namespace rayaudit::oracle {
+
+/// Why a case is no question of truth at all. Where several apply, the first in this list names it.
+enum class Invalid : std::uint8_t {
+  no,
+  nan,             ///< a number is NaN
+  infinite,        ///< a number other than t_min, t_max is infinite
+  zero_direction,  ///< d = 0
+  zero_normal,     ///< n = 0
+  zero_axis,       ///< a = b
+  radius,          ///< r <= 0
+  empty_range,     ///< t_min >= t_max
+};
+std::string_view name(Invalid invalid);
+
+/// What a crossing is: proper, when every small enough change of the case keeps it, else a touch.
+/// Where several kinds of touch apply, the later in this list names it.
+enum class Kind : std::uint8_t {
+  proper,
+  tangent,  ///< a double root
+  rim,      ///< a side condition is exactly 0
+  apex,     ///< the line passes outside the cone at its apex
+  start,    ///< t is exactly t_min
+  end,      ///< t is exactly t_max
+  within,   ///< the ray lies in the surface, from t to t_last
+};
+std::string_view name(Kind kind);
+
+struct Crossing {
+  Kind kind = Kind::proper;
+  Real t = {};
+  Real t_last = {};  ///< of a within: where the stretch ends; else t
+};
+
+/// Which arithmetic decided: CGAL's intervals, or exact numbers.
+enum class Stage : std::uint8_t { interval, exact };
+
+/// The crossings up to and including the first proper one, in order along the ray. Acceptable are
+/// that proper hit (a miss where there is none), or any touch before it.
+struct Truth {
+  static constexpr int most = 2;  ///< crossings of a ray with one patch of degree 2
+
+  Invalid invalid = Invalid::no;
+  Stage stage = Stage::interval;
+  std::uint8_t count = 0;
+  std::array<Crossing, most> listed = {};
+  /// The other real roots of F on the line, to 2^-60, where they came at no price; a subject may
+  /// have answered one of those.
+  bool others_known = false;
+  std::uint8_t other_count = 0;
+  std::array<Real, most> other_roots = {};
+
+  std::span<const Crossing> crossings() const { return {listed.data(), count}; }
+  std::span<const Real> others() const { return {other_roots.data(), other_count}; }
+  /// The first proper crossing, or null where the truth is a miss.
+  const Crossing* hit() const {
+    return count > 0 && listed[count - 1].kind == Kind::proper ? &listed[count - 1] : nullptr;
+  }
+  bool has_touch() const { return count > (hit() ? 1 : 0); }
+};
+
+/// The bits to which t must be known for answers in a format: 2^-10 ulp.
+constexpr int bits_for(const Format& format) { return format.precision + 10; }
+
+/// Settles every case: truths[i] is the truth of cases[i], each t within 2^-bits |t|, bits at most
+/// 150. Never undecided, for any doubles whatever; invalid cases are told apart and named. Throws
+/// UnfitArithmetic (oracle/environment.hpp) in a thread that does not compute as IEEE 754 has it.
+void truth(std::span<const Case> cases, std::span<Truth> truths,
+           int bits = bits_for(double_format));
+Truth truth(const Case& question, int bits = bits_for(double_format));
+
+/// How a real root of F stands on its ray.
+enum class Standing : std::uint8_t {
+  acceptable,  ///< a crossing of the truth
+  later,       ///< a crossing, but behind the first proper one
+  behind,      ///< t < t_min
+  past,        ///< t > t_max
+  clipped,     ///< a side condition is negative
+  mirrored,    ///< on the cone's other nappe
+};
+std::string_view name(Standing standing);
+
+struct Root {
+  Real t = {};
+  Standing standing = Standing::acceptable;
+  Kind kind = Kind::proper;  ///< of a crossing
+};
+
+/// Every real root of F along the whole line, in order (a double root once), each t within
+/// 2^-bits |t|; none where F vanishes all along. The case must be valid. Slower than truth.
+struct Roots {
+  std::uint8_t count = 0;
+  std::array<Root, Truth::most> listed = {};
+
+  std::span<const Root> roots() const { return {listed.data(), count}; }
+};
+Roots roots(const Case& question, int bits = bits_for(double_format));
+
+/// The t of a crossing of this case's truth, rounded to nearest (ties to even) in the number N:
+/// float, double or long double; an infinity or a subnormal where N has it so. Always correct.
+template <class N>
+N rounded(const Case& question, const Crossing& crossing);
+/// The same of where a stretch within the surface ends.
+template <class N>
+N rounded_last(const Case& question, const Crossing& crossing);
+
+/// The t of a crossing in words: a closed form (`(3 + sqrt(5)) / 2`) where it is short enough to
+/// read, else nothing; and in decimals, to the given number of significant digits.
+struct Spelled {
+  std::optional<std::string> closed_form;
+  std::string decimals;
+  bool terminates;  ///< the decimals are all there are
+};
+Spelled spelled(const Case& question, const Crossing& crossing, int digits);
+Spelled spelled_last(const Case& question, const Crossing& crossing, int digits);
+
+}  // namespace rayaudit::oracle
