@@ -1,0 +1,115 @@
+#define BOOST_TEST_MODULE degenerate
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include "families/upright.hpp"
+#include "tests/families/drawn.hpp"
+
+using namespace rayaudit;
+
+namespace {
+
+using Exact = boost::multiprecision::cpp_rational;
+using ExactVec = Vec3<Exact>;
+
+/// The exact axis or normal; nothing for a sphere.
+ExactVec exact_axis(const Case& question) {
+  struct {
+    ExactVec operator()(const Disk<double>& shape) const { return in<Exact>(shape.normal); }
+    ExactVec operator()(const Sphere<double>&) const { return {0, 0, 0}; }
+    ExactVec operator()(const Cylinder<double>& shape) const {
+      return in<Exact>(shape.top) - in<Exact>(shape.base);
+    }
+    ExactVec operator()(const Cone<double>& shape) const {
+      return in<Exact>(shape.apex) - in<Exact>(shape.base);
+    }
+  } of;
+  return std::visit(of, question.shape);
+}
+
+bool is_zero(const ExactVec& v) { return v == ExactVec{0, 0, 0}; }
+bool has_zero(const ExactVec& v) { return v.x == 0 || v.y == 0 || v.z == 0; }
+bool is_sphere(const Case& question) {
+  return std::holds_alternative<Sphere<double>>(question.shape);
+}
+
+/// The coefficient of t^2 in the cone's field is |w|^2 |d x w|^2 - (r d.w)^2.
+bool is_along_generator(const Case& question) {
+  const ExactVec d = in<Exact>(question.ray.direction), w = exact_axis(question);
+  const ExactVec across = cross(d, w);
+  const Exact along = Exact(std::get<Cone<double>>(question.shape).radius) * dot(d, w);
+  return dot(w, w) * dot(across, across) == along * along;
+}
+bool is_square_to_axis(const Case& question) {
+  return dot(in<Exact>(question.ray.direction), exact_axis(question)) == 0;
+}
+bool is_along_axis(const Case& question) {
+  return is_zero(cross(in<Exact>(question.ray.direction), exact_axis(question)));
+}
+
+constexpr std::size_t disk = 0, cylinder = 2, cone = 3, few = 256;
+
+template <class H>
+void require_all(std::string_view id, std::size_t shape, H&& holds) {
+  const Family& family = family_of(id);
+  for (const Format& format : {float_format, double_format})
+    require_each(family, shape, format, drawn(family, shape, format, {}, 0, few), holds);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(frames_are_three_orthogonal_vectors_of_the_length_they_say) {
+  Random random(1, "", "", double_format, {}, 0);
+  for (int i = 0; i < 100; ++i) {
+    const auto axes = drawing::frame(random, 1023);
+    const Exact square = Exact(axes.length) * axes.length;
+    const auto u = in<Exact>(axes.u), v = in<Exact>(axes.v), w = in<Exact>(axes.w);
+    BOOST_TEST(((dot(u, v) == 0) && (dot(v, w) == 0) && (dot(w, u) == 0)));
+    BOOST_TEST(((dot(u, u) == square) && (dot(v, v) == square) && (dot(w, w) == square)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(at_least_half_of_the_degenerate_cases_are_in_general_position) {
+  each_drawing([](const Family& family, std::size_t shape, const Format& format) {
+    if (family.strength != Strength::degenerate) return;
+    const double general = share(drawn(family, shape, format), [](const Case& question) {
+      const bool along_coordinates = !is_sphere(question) && has_zero(exact_axis(question));
+      return !along_coordinates && !has_zero(in<Exact>(question.ray.direction));
+    });
+    BOOST_TEST(general > 0.5, family.id << ' ' << shape_names[shape] << ' ' << format.name);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(some_degenerate_cases_lie_along_the_coordinate_axes) {
+  const auto aligned = [](const Case& question) {
+    const ExactVec w = exact_axis(question);
+    return (w.x == 0) + (w.y == 0) + (w.z == 0) == 2;
+  };
+  BOOST_TEST(share(drawn(family_of("tangent"), cylinder, float_format), aligned) > 0.08);
+}
+
+BOOST_AUTO_TEST_CASE(perpendicular_rays_are_exactly_so) {
+  require_all("perpendicular", disk, is_along_axis);
+  require_all("perpendicular", cylinder, is_square_to_axis);
+  require_all("perpendicular", cone, is_square_to_axis);
+}
+
+BOOST_AUTO_TEST_CASE(parallel_rays_are_exactly_so) {
+  require_all("parallel", disk, is_square_to_axis);
+  require_all("parallel", cylinder, is_along_axis);
+  require_all("parallel", cone, [](const Case& question) {
+    return is_along_generator(question) || is_along_axis(question);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(most_rays_parallel_to_a_cone_are_along_a_generator) {
+  const auto cases = drawn(family_of("parallel"), cone, double_format, {}, 0, few);
+  const double along = share(cases, is_along_generator);
+  BOOST_TEST(along > 0.6);
+  BOOST_TEST(along < 0.9);
+}
+
+BOOST_AUTO_TEST_CASE(rays_within_are_exactly_along_the_surface) {
+  require_all("within", disk, is_square_to_axis);
+  require_all("within", cylinder, is_along_axis);
+  require_all("within", cone, is_along_generator);
+}
