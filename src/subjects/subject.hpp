@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/answer.hpp"
+#include "geometry/case.hpp"
+#include "geometry/format.hpp"
+
+namespace rayaudit {
+
+/// Whatever answers cases; a built-in one is named `routine/number`.
+struct Subject {
+  /// Answers cases that are all of one shape: answers[i] is the answer to cases[i].
+  using Batch = std::function<void(std::span<const Case>, std::span<Answer>)>;
+
+  std::string name;
+  Format format;                          ///< what it works in
+  std::array<Batch, shape_count> answer;  ///< by shape; empty where it does not answer the shape
+
+  bool answers(std::size_t shape) const { return answer[shape] != nullptr; }
+
+  /// The format to draw its cases in, so that they reach it unrounded.
+  const Format& drawn_in() const { return format == float_format ? float_format : double_format; }
+};
+
+/// Answers cases of any mix of shapes that the subject answers.
+void answer_mixed(const Subject& subject, std::span<const Case> cases, std::span<Answer> answers);
+Answer answer_one(const Subject& subject, const Case& question);
+
+/// Every routine in every number it is instantiated in: float, double and long double.
+const std::vector<Subject>& built_in_subjects();
+
+}  // namespace rayaudit
