@@ -1,0 +1,89 @@
+#include "audit/finding.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <tuple>
+
+namespace rayaudit {
+namespace {
+
+/// The wrong verdicts of one kind in one audit.
+struct Occurrence {
+  const Audit* audit;
+  Verdict verdict;
+
+  const Worst& example() const { return *audit->tally.worst[static_cast<std::size_t>(verdict)]; }
+  double share() const {
+    return static_cast<double>(audit->tally.of(verdict)) / static_cast<double>(audit->tally.cases);
+  }
+  std::string_view subject() const { return audit->subject->name; }
+  std::string_view routine() const { return subject().substr(0, subject().rfind('/')); }
+  std::string_view number() const {
+    const std::size_t slash = subject().rfind('/');
+    return slash == subject().npos ? audit->subject->format.name : subject().substr(slash + 1);
+  }
+  /// What a finding has in common.
+  auto kind() const {
+    return std::tuple(routine(), audit->shape, verdict, example().judgement.claim);
+  }
+};
+
+std::vector<Occurrence> occurrences(const std::vector<Audit>& audits) {
+  std::vector<Occurrence> all;
+  for (const Audit& audit : audits)
+    for (std::size_t i = 0; i < verdict_count; ++i)
+      if (const auto verdict = Verdict{static_cast<std::uint8_t>(i)};
+          is_wrong(verdict) && audit.tally.of(verdict) > 0)
+        all.push_back({&audit, verdict});
+  return all;
+}
+
+void include(std::vector<std::string>& names, std::string_view name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
+}
+
+/// The finding that a group of occurrences is, in the order of the audits.
+Finding finding(std::vector<Occurrence> group) {
+  Finding made;
+  std::tie(made.routine, made.shape, made.verdict, made.claim) = group.front().kind();
+  for (const Occurrence& each : group) {
+    include(made.numbers, each.number());
+    made.wrong += each.audit->tally.of(made.verdict);
+    made.cases += each.audit->tally.cases;
+  }
+  std::stable_sort(group.begin(), group.end(),
+                   [](const Occurrence& a, const Occurrence& b) { return a.share() > b.share(); });
+  for (const Occurrence& each : group) include(made.families, each.audit->family->id);
+  made.share = group.front().share();
+  made.subject = group.front().subject();
+  made.example = group.front().example();
+  return made;
+}
+
+/// Invalid cases are questions about conduct, not about truth: they come last.
+bool is_worse(const Finding& a, const Finding& b) {
+  const bool a_invalid = a.verdict == Verdict::invalid_mishandled;
+  if (a_invalid != (b.verdict == Verdict::invalid_mishandled)) return !a_invalid;
+  if (a.share != b.share) return a.share > b.share;
+  return std::tie(a.verdict, a.routine, a.shape, a.claim) <
+         std::tie(b.verdict, b.routine, b.shape, b.claim);
+}
+
+}  // namespace
+
+std::vector<Finding> findings(const std::vector<Audit>& audits) {
+  std::vector<Occurrence> all = occurrences(audits);
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Occurrence& a, const Occurrence& b) { return a.kind() < b.kind(); });
+  std::vector<Finding> found;
+  for (auto first = all.begin(); first != all.end();) {
+    const auto last = std::find_if(
+        first, all.end(), [&](const Occurrence& each) { return each.kind() != first->kind(); });
+    found.push_back(finding({first, last}));
+    first = last;
+  }
+  std::sort(found.begin(), found.end(), is_worse);
+  return found;
+}
+
+}  // namespace rayaudit

@@ -1,0 +1,308 @@
+#include "audit/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace rayaudit {
+namespace {
+
+using oracle::Crossing;
+using oracle::Kind;
+using oracle::Standing;
+
+Claim claim_of(Standing standing) {
+  switch (standing) {
+    case Standing::behind:
+      return Claim::behind;
+    case Standing::past:
+      return Claim::past;
+    case Standing::clipped:
+      return Claim::clipped;
+    case Standing::mirrored:
+      return Claim::mirrored;
+    case Standing::later:
+      return Claim::later;
+    case Standing::acceptable:
+      return Claim::declined;
+  }
+  return Claim::none;
+}
+
+Real absolute(const Real& x) { return sign(x) < 0 ? difference({}, x) : x; }
+
+Real gap(const Real& a, const Real& b) { return absolute(difference(a, b)); }
+
+/// How far t is from a crossing: from the nearest point of a stretch, 0 inside.
+Real gap(const Real& t, const Crossing& crossing) {
+  if (crossing.kind != Kind::within) return gap(t, crossing.t);
+  if (compare(t, crossing.t) < 0) return gap(t, crossing.t);
+  if (compare(t, crossing.t_last) > 0) return gap(t, crossing.t_last);
+  return {};
+}
+
+/// x / y for y != 0, where neither need be in the range of double.
+double ratio(const Real& x, const Real& y) {
+  const int e = binade(y);
+  return scaled(x, e) / scaled(y, e);
+}
+
+/// The crossings that an answer may name under a convention: touches up to and including the first
+/// that must be taken, a proper one or a touch declared to be a hit.
+struct Choices {
+  std::array<int, oracle::Truth::most> acceptable = {};  ///< places in the truth's list
+  int count = 0;
+  int must = -1;                                      ///< the one that ends the list, or -1
+  std::array<int, oracle::Truth::most> refused = {};  ///< crossings that are not acceptable
+  int refused_count = 0;
+  std::optional<Kind> open_touch;  ///< the first touch left open
+
+  Choices(const oracle::Truth& truth, const Convention& convention) {
+    const auto crossings = truth.crossings();
+    for (int i = 0; i < static_cast<int>(crossings.size()); ++i) {
+      const Kind kind = crossings[i].kind;
+      const auto stance = kind == Kind::proper ? Convention::Stance::hit : convention.of(kind);
+      if (must >= 0 || stance == Convention::Stance::miss) {
+        refused[refused_count++] = i;
+        continue;
+      }
+      acceptable[count++] = i;
+      if (stance == Convention::Stance::hit)
+        must = i;
+      else if (!open_touch)
+        open_touch = kind;
+    }
+  }
+
+  std::span<const int> list() const { return {acceptable.data(), static_cast<std::size_t>(count)}; }
+};
+
+/// The root of F nearest to t, among all there are.
+const oracle::Root* nearest_root(Settled& settled, const Real& t) {
+  const oracle::Root* nearest = nullptr;
+  for (const oracle::Root& root : settled.roots().roots())
+    if (nearest == nullptr || compare(gap(t, root.t), gap(t, nearest->t)) < 0) nearest = &root;
+  return nearest;
+}
+
+bool is_far(const Real& t, const Real& exact) {
+  return sign(t) == 0 ? sign(exact) != 0
+                      : sign(exact) == 0 || ratio(gap(t, exact), exact) > wrong_t_limit;
+}
+
+/// What there is at a t that is not acceptable.
+Claim claim_at(Settled& settled, const Real& t) {
+  if (is_nan(t)) return Claim::nan;
+  if (is_infinite(t)) return Claim::infinite;
+  const oracle::Root* root = nearest_root(settled, t);
+  return root == nullptr || is_far(t, root->t) ? Claim::no_root : claim_of(root->standing);
+}
+
+/// What a bare yes can have meant where no hit is acceptable: the last root along the line.
+Claim claim_of_yes(Settled& settled) {
+  const auto roots = settled.roots().roots();
+  return roots.empty() ? Claim::no_root : claim_of(roots.back().standing);
+}
+
+/// The t that an answer claims; NaN for a point that is not finite.
+Real claimed_t(const Case& question, const Answer& answer, const Format& format) {
+  if (answer.form == Answer::Form::hit) return answer.t;
+  const auto& [x, y, z] = answer.point;
+  if (!is_finite(x) || !is_finite(y) || !is_finite(z))
+    return {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};
+  return oracle::projection(question.ray, answer.point, oracle::bits_for(format));
+}
+
+/// fl(o + t d), every operation rounded in N.
+template <class N>
+Vec3<Real> point_in(const Ray<double>& ray, const Real& t) {
+  const N at = nearest<N>(t);
+  const auto component = [&](double o, double d) {
+    const N step = at * static_cast<N>(d);
+    return real(static_cast<N>(static_cast<N>(o) + step));
+  };
+  return {component(ray.origin.x, ray.direction.x), component(ray.origin.y, ray.direction.y),
+          component(ray.origin.z, ray.direction.z)};
+}
+
+Vec3<Real> point_of(const Case& question, const Answer& answer, const Format& format) {
+  if (answer.form == Answer::Form::at) return answer.point;
+  if (format == float_format) return point_in<float>(question.ray, answer.t);
+  if (format == double_format) return point_in<double>(question.ray, answer.t);
+  return point_in<long double>(question.ray, answer.t);
+}
+
+/// Where the rounded point of a hit lies.
+void measure_point(Judgement& judgement, Settled& settled, const Answer& answer,
+                   const Format& format) {
+  const Case& question = settled.question();
+  const Vec3<Real> point = point_of(question, answer, format);
+  if (!is_finite(point.x) || !is_finite(point.y) || !is_finite(point.z)) return;
+  Real largest = absolute(point.x);
+  for (const Real& coordinate : {absolute(point.y), absolute(point.z)})
+    if (compare(largest, coordinate) < 0) largest = coordinate;
+  const oracle::Position position = oracle::position(question.shape, point);
+  if (!is_nan(position.distance))
+    judgement.distance = scaled(position.distance, spacing_exponent(largest, format));
+  const Crossing& crossing = settled.truth().crossings()[judgement.crossing];
+  if (crossing.kind == Kind::within) return;
+  const int before = settled.sensitivity(judgement.crossing).sign_before;
+  judgement.side = position.sign_of_field == 0        ? Side::on
+                   : position.sign_of_field == before ? Side::before
+                                                      : Side::beyond;
+}
+
+/// The errors of a t that was held against a crossing.
+void measure(Judgement& judgement, Settled& settled, const Answer& answer, const Real& t,
+             const Format& format) {
+  const Crossing& crossing = settled.truth().crossings()[judgement.crossing];
+  const Real off = gap(t, crossing);
+  if (sign(off) == 0)
+    judgement.ulps = judgement.relative = 0;
+  else
+    judgement.ulps = scaled(off, spacing_exponent(crossing.t, format));
+  if (sign(off) != 0 && sign(crossing.t) != 0) judgement.relative = ratio(off, crossing.t);
+  if (crossing.kind != Kind::within) {
+    const Real& forced = settled.sensitivity(judgement.crossing).forced;
+    if (is_finite(forced))
+      judgement.forced = std::ldexp(ratio(off, forced), -format.unit_exponent());
+  }
+  measure_point(judgement, settled, answer, format);
+}
+
+/// Is a root that is not acceptable nearer to t than the acceptable gap?
+bool is_nearer_elsewhere(Settled& settled, const Choices& choices, const Real& t,
+                         const Real& accepted) {
+  const oracle::Truth& truth = settled.truth();
+  const auto nearer = [&](const Real& root) { return compare(gap(t, root), accepted) < 0; };
+  for (int i = 0; i < choices.refused_count; ++i)
+    if (nearer(truth.crossings()[choices.refused[i]].t)) return true;
+  if (truth.others_known) return std::ranges::any_of(truth.others(), nearer);
+  return std::ranges::any_of(settled.roots().roots(), [&](const oracle::Root& root) {
+    return root.standing != Standing::acceptable && nearer(root.t);
+  });
+}
+
+/// A t that is NaN or infinite, where a hit is acceptable.
+Judgement judge_not_finite(Judgement judgement, const oracle::Truth& truth, const Choices& choices,
+                           const Real& t, const Format& format) {
+  for (const int i : choices.list()) {
+    const Crossing& crossing = truth.crossings()[i];
+    if (is_infinite(t) && sign(t) == sign(crossing.t) && overflows(crossing.t, format)) {
+      judgement.taken = i != choices.must;
+      judgement.verdict = judgement.taken ? Verdict::touch : Verdict::right;
+      return judgement;
+    }
+  }
+  judgement.verdict = Verdict::not_finite;
+  judgement.claim = is_nan(t) ? Claim::nan : Claim::infinite;
+  return judgement;
+}
+
+/// A finite t, where a hit is acceptable.
+Judgement judge_t(Judgement judgement, Settled& settled, const Choices& choices,
+                  const Answer& answer, const Real& t, const Format& format) {
+  const oracle::Truth& truth = settled.truth();
+  int nearest = choices.acceptable[0];
+  Real off = gap(t, truth.crossings()[nearest]);
+  for (const int i : choices.list().subspan(1))
+    if (const Real other = gap(t, truth.crossings()[i]); compare(other, off) < 0)
+      nearest = i, off = other;
+  const Real& exact = truth.crossings()[nearest].t;
+  const bool within_an_ulp = scaled(off, spacing_exponent(exact, format)) <= 1;
+  if (!within_an_ulp && is_nearer_elsewhere(settled, choices, t, off)) {
+    judgement.verdict = Verdict::wrong_root;
+    const oracle::Root* root = nearest_root(settled, t);
+    judgement.claim = claim_of(root->standing);
+    return judgement;
+  }
+  judgement.crossing = nearest;
+  judgement.taken = nearest != choices.must;
+  judgement.verdict = judgement.taken                      ? Verdict::touch
+                      : !within_an_ulp && is_far(t, exact) ? Verdict::wrong_t
+                                                           : Verdict::right;
+  measure(judgement, settled, answer, t, format);
+  return judgement;
+}
+
+Judgement judge_yes(Judgement judgement, const Choices& choices) {
+  if (choices.must >= 0) {
+    // Which of the crossings it meant, it does not say.
+    judgement.touch.reset();
+    return judgement;
+  }
+  judgement.verdict = Verdict::touch;
+  judgement.taken = true;
+  return judgement;
+}
+
+Judgement judge_hit(Judgement judgement, Settled& settled, const Choices& choices,
+                    const Answer& answer, const Format& format) {
+  if (answer.form == Answer::Form::yes) {
+    if (choices.count > 0) return judge_yes(judgement, choices);
+    return {.verdict = Verdict::false_hit, .claim = claim_of_yes(settled)};
+  }
+  const Real t = claimed_t(settled.question(), answer, format);
+  if (choices.count == 0) return {.verdict = Verdict::false_hit, .claim = claim_at(settled, t)};
+  if (!is_finite(t)) return judge_not_finite(judgement, settled.truth(), choices, t, format);
+  return judge_t(judgement, settled, choices, answer, t, format);
+}
+
+}  // namespace
+
+std::string_view name(Verdict verdict) {
+  constexpr std::array<std::string_view, verdict_count> names = {
+      "right",   "touch",      "false_hit",       "false_miss",        "wrong_root",
+      "wrong_t", "not_finite", "invalid_handled", "invalid_mishandled"};
+  return names[static_cast<std::size_t>(verdict)];
+}
+
+bool is_wrong(Verdict verdict) {
+  return verdict != Verdict::right && verdict != Verdict::touch &&
+         verdict != Verdict::invalid_handled;
+}
+
+std::string_view name(Claim claim) {
+  constexpr std::array<std::string_view, claim_count> names = {
+      "none", "no_root", "nan",      "infinite", "behind",
+      "past", "clipped", "mirrored", "later",    "declined"};
+  return names[static_cast<std::size_t>(claim)];
+}
+
+std::string_view name(Side side) {
+  constexpr std::array<std::string_view, side_count> names = {"unknown", "before", "on", "beyond"};
+  return names[static_cast<std::size_t>(side)];
+}
+
+const oracle::Roots& Settled::roots() {
+  if (!roots_) roots_ = oracle::roots(question_);
+  return *roots_;
+}
+
+const oracle::Sensitivity& Settled::sensitivity(int crossing) {
+  auto& known = sensitivities_[crossing];
+  if (!known) known = oracle::sensitivity(question_, truth_.crossings()[crossing]);
+  return *known;
+}
+
+Judgement judge(Settled& settled, const Answer& answer, const Format& format,
+                const Convention& convention) {
+  const bool miss = answer.form == Answer::Form::miss;
+  if (settled.truth().invalid != oracle::Invalid::no)
+    return {.verdict = miss ? Verdict::invalid_handled : Verdict::invalid_mishandled};
+  const Choices choices(settled.truth(), convention);
+  const Judgement judgement{.touch = choices.open_touch};
+  if (!miss) return judge_hit(judgement, settled, choices, answer, format);
+  if (choices.must >= 0) return {.verdict = Verdict::false_miss, .crossing = choices.must};
+  if (choices.open_touch) return {.verdict = Verdict::touch, .touch = choices.open_touch};
+  return judgement;
+}
+
+Judgement judge(const Case& question, const Answer& answer, const Format& format,
+                const Convention& convention) {
+  const oracle::Truth truth = oracle::truth(question, oracle::bits_for(format));
+  Settled settled(question, truth);
+  return judge(settled, answer, format, convention);
+}
+
+}  // namespace rayaudit

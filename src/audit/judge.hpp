@@ -1,0 +1,103 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "audit/convention.hpp"
+#include "geometry/answer.hpp"
+#include "geometry/format.hpp"
+#include "oracle/position.hpp"
+#include "oracle/truth.hpp"
+
+namespace rayaudit {
+
+/// One answer against one truth.
+enum class Verdict : std::uint8_t {
+  right,               ///< the first proper hit, or a miss where there is none
+  touch,               ///< a matter of convention: a touch taken, or passed by
+  false_hit,           ///< a hit where no hit is acceptable
+  false_miss,          ///< a miss where there is a proper hit
+  wrong_root,          ///< a t nearest to a root of F that is no acceptable answer
+  wrong_t,             ///< the right root, off by more than wrong_t_limit
+  not_finite,          ///< a t that is NaN, or infinite where the true t is not
+  invalid_handled,     ///< the case is invalid, and the subject says miss
+  invalid_mishandled,  ///< the case is invalid, and the subject says hit
+};
+inline constexpr std::size_t verdict_count = 9;
+std::string_view name(Verdict verdict);
+/// Is this verdict the subject's fault?
+bool is_wrong(Verdict verdict);
+
+/// A t is wrong where it is off by more than this share of the exact t.
+inline constexpr double wrong_t_limit = 0x1p-7;
+
+/// What there is at the place that a false hit or a wrong root claims.
+enum class Claim : std::uint8_t {
+  none,      ///< nothing is claimed wrongly
+  no_root,   ///< no root of F is near
+  nan,       ///< t is NaN
+  infinite,  ///< t is infinite
+  behind,    ///< a root before the range
+  past,      ///< a root after the range
+  clipped,   ///< a root outside a side condition: beside the disk, above or below the shape
+  mirrored,  ///< a root on the cone's other nappe
+  later,     ///< a crossing, but not the first
+  declined,  ///< a touch of a kind that the subject declares to be a miss
+};
+inline constexpr std::size_t claim_count = 10;
+std::string_view name(Claim claim);
+
+/// On which side of the surface the rounded point lies, as the ray came. A ray that starts beyond
+/// the surface after a reflection meets it again.
+enum class Side : std::uint8_t { unknown, before, on, beyond };
+inline constexpr std::size_t side_count = 4;
+std::string_view name(Side side);
+
+struct Judgement {
+  static constexpr double unmeasured = std::numeric_limits<double>::quiet_NaN();
+
+  Verdict verdict = Verdict::right;
+  Claim claim = Claim::none;
+  /// The touch that was on offer, if one was, and whether it was taken.
+  std::optional<oracle::Kind> touch = {};
+  bool taken = false;
+  /// The crossing that t was held against: its place in the truth's list, or -1.
+  int crossing = -1;
+  /// Of hits judged right, wrong_t or touch; else unmeasured.
+  double ulps = unmeasured;      ///< error of t in ulps of the subject's format at the exact t
+  double relative = unmeasured;  ///< |t - exact| / |exact|
+  double forced = unmeasured;    ///< error in units of what rounding the inputs once would do to t
+  double distance =
+      unmeasured;  ///< of the rounded point to the surface, ulps of its largest coordinate
+  Side side = Side::unknown;
+};
+
+/// A case with its truth, and what more an answer may ask about it, worked out once and only then.
+class Settled {
+ public:
+  Settled(const Case& question, const oracle::Truth& truth) : question_(question), truth_(truth) {}
+
+  const Case& question() const { return question_; }
+  const oracle::Truth& truth() const { return truth_; }
+  const oracle::Roots& roots();
+  const oracle::Sensitivity& sensitivity(int crossing);
+
+ private:
+  const Case& question_;
+  const oracle::Truth& truth_;
+  std::optional<oracle::Roots> roots_;
+  std::array<std::optional<oracle::Sensitivity>, oracle::Truth::most> sensitivities_;
+};
+
+/// Decides in the order of DESIGN.md, section 5. The truth's t are known to bits_for(format).
+Judgement judge(Settled& settled, const Answer& answer, const Format& format,
+                const Convention& convention = {});
+
+/// Judges one answer from scratch.
+Judgement judge(const Case& question, const Answer& answer, const Format& format,
+                const Convention& convention = {});
+
+}  // namespace rayaudit

@@ -1,0 +1,101 @@
+#define BOOST_TEST_MODULE tally
+#include "audit/tally.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "geometry/case_line.hpp"
+
+using namespace rayaudit;
+
+namespace {
+
+/// A tally of the answers on case lines, counted from a place on.
+Tally tallied(const std::vector<std::string>& lines, std::uint64_t place) {
+  Tally tally;
+  for (const std::string& line : lines) {
+    const CaseLine read = read_case_line(line);
+    const oracle::Truth truth = oracle::truth(read.question);
+    Settled settled(read.question, truth);
+    tally.add(settled, *read.answer, judge(settled, *read.answer, double_format), place++);
+  }
+  return tally;
+}
+
+const std::string through = "sphere 0 0 0 1 ray 0 0 -3 0 0 1 ";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_quantile_is_a_sharp_upper_limit) {
+  Histogram histogram;
+  for (int i = 1; i <= 1000; ++i) histogram.add(i);
+  const double median = histogram.quantile(0.5), p99 = histogram.quantile(0.99);
+  BOOST_TEST((median >= 500 && median <= 500 * 1.125));
+  BOOST_TEST((p99 >= 990 && p99 <= 1000));
+  BOOST_TEST(histogram.quantile(1) == 1000);
+  BOOST_TEST(histogram.largest() == 1000);
+}
+
+BOOST_AUTO_TEST_CASE(zero_tiny_and_infinite_values_have_their_quantiles) {
+  Histogram histogram;
+  BOOST_TEST(histogram.quantile(0.5) == 0);
+  for (int i = 0; i < 9; ++i) histogram.add(0);
+  BOOST_TEST(histogram.quantile(0.99) == 0);
+  histogram.add(std::numeric_limits<double>::infinity());
+  BOOST_TEST(histogram.quantile(0.5) <= 0x1p-10);
+  BOOST_TEST(std::isinf(histogram.quantile(0.99)));
+  histogram.add(std::numeric_limits<double>::quiet_NaN());
+  BOOST_TEST(histogram.count() == 10U);
+}
+
+BOOST_AUTO_TEST_CASE(verdicts_claims_touches_and_sides_are_counted) {
+  const Tally tally = tallied({through + "hit 2", through + "hit 4", through + "miss",
+                               "sphere 0 0 0 1 ray 0 1 -3 0 0 1 hit 3",
+                               "sphere 0 0 0 1 ray 0 1 -3 0 0 1 miss"},
+                              0);
+  BOOST_TEST(tally.cases == 5U);
+  BOOST_TEST(tally.of(Verdict::right) == 1U);
+  BOOST_TEST(tally.of(Verdict::wrong_root) == 1U);
+  BOOST_TEST(tally.of(Verdict::false_miss) == 1U);
+  BOOST_TEST(tally.of(Verdict::touch) == 2U);
+  BOOST_TEST(tally.wrong() == 2U);
+  const TouchCount& tangent = tally.touches[static_cast<std::size_t>(oracle::Kind::tangent)];
+  BOOST_TEST((tangent.taken == 1 && tangent.passed == 1));
+  BOOST_TEST(tally.claims[static_cast<std::size_t>(Claim::later)] == 1U);
+  BOOST_TEST(tally.sides[static_cast<std::size_t>(Side::on)] == 2U);
+  BOOST_TEST(tally.by_interval == 5U);
+}
+
+BOOST_AUTO_TEST_CASE(the_worst_case_of_each_verdict_is_kept_whole) {
+  const Tally tally = tallied({through + "hit 2", through + "hit 0x1.0000000000005p+1",
+                               through + "hit 0x1.0000000000003p+1"},
+                              7);
+  const Worst& worst = *tally.worst[static_cast<std::size_t>(Verdict::right)];
+  BOOST_TEST(worst.place == 8U);
+  BOOST_TEST(worst.judgement.ulps == 5);
+  BOOST_TEST((worst.question == read_case_line(through).question));
+}
+
+BOOST_AUTO_TEST_CASE(the_worst_false_miss_is_the_best_conditioned_one) {
+  const Tally tally = tallied({"sphere 0 0 0 1 ray 0 0x1.ffffp-1 -3 0 0 1 miss", through + "miss",
+                               "sphere 0 0 0 1 ray 0 0.9 -3 0 0 1 miss"},
+                              0);
+  BOOST_TEST(tally.worst[static_cast<std::size_t>(Verdict::false_miss)]->place == 1U);
+}
+
+BOOST_AUTO_TEST_CASE(tallies_merge_alike_in_any_order) {
+  const Tally a = tallied({through + "hit 2", through + "hit 0x1.0000000000005p+1"}, 0);
+  const Tally b = tallied({through + "hit 0x1.0000000000005p+1", through + "miss"}, 2);
+  const Tally c = tallied({through + "hit 4"}, 4);
+  Tally abc = a, cba = c;
+  abc.merge(b), abc.merge(c);
+  cba.merge(b), cba.merge(a);
+  for (const Tally& tally : {abc, cba}) {
+    BOOST_TEST(tally.cases == 5U);
+    BOOST_TEST(tally.worst[static_cast<std::size_t>(Verdict::right)]->place == 1U);
+    BOOST_TEST(tally.ulps.quantile(0.99) == 5);
+    BOOST_TEST(tally.wrong() == 2U);
+  }
+}
