@@ -1,5 +1,6 @@
 #include "oracle/prepared.hpp"
 #include "oracle/radical.hpp"
+#include "oracle/stages.hpp"
 
 namespace rayaudit::oracle {
 namespace {
@@ -22,8 +23,6 @@ struct Signs<Exact> {
 
 namespace {
 
-Exact four_times(const Exact& x) { return Exact(4) * x; }
-
 Radical ratio(const Exact& numerator, const Exact& denominator) {
   return {.p = numerator, .q = denominator};
 }
@@ -33,11 +32,11 @@ Radical linear_root(const Polynomial<Exact, 1>& f) { return ratio(-f.c[0], f.c[1
 /// The root of a quadratic that has it.
 Radical quadratic_root(const Polynomial<Exact, 2>& f, Which which) {
   const auto& [c, b, a] = f.c;
-  if (which == Which::twofold) return ratio(-b, a + a);
+  if (which == Which::twofold) return ratio(-b, twice(a));
   const int sign_a = a.sign();
   return {.p = -b,
-          .d = squared(b) - four_times(a * c),
-          .q = a + a,
+          .d = squared(b) - twice(twice(a * c)),
+          .q = twice(a),
           .e = which == Which::smaller ? -sign_a : sign_a};
 }
 
@@ -83,7 +82,7 @@ Stretch stretch(const std::array<Polynomial<Exact, 1>, sides>& side, const Range
 Stretch stretch(const std::array<Polynomial<Exact, 2>, 1>& side, const Range<Exact>& range) {
   const Polynomial<Exact, 2>& g = side[0];
   Signs<Exact> sign;
-  const int sign_d = (squared(g.c[1]) - four_times(g.c[2] * g.c[0])).sign();
+  const int sign_d = (squared(g.c[1]) - twice(twice(g.c[2] * g.c[0]))).sign();
   if (sign_d < 0) return {};
   const auto at = [&](Which which, const Exact& t) {
     return QuadraticRoot<Exact>{g, -1, which, sign}.at(Polynomial<Exact, 1>{{-t, 1}});
@@ -127,8 +126,17 @@ ExactRoots roots_of(const Ray<double>& ray, const S<double>& shape, bool all) {
 
 }  // namespace
 
+Outline outline_exactly(const Case& question) {
+  const auto outline = [&](const auto& shape) {
+    Signs<Exact> sign;
+    return settle<apex_side<std::remove_cvref_t<decltype(shape)>>, Exact>(
+        along_ray<Exact>(question.ray, shape), Range<Exact>(question.ray), sign, false);
+  };
+  return std::visit(outline, question.shape);
+}
+
 ExactRoots exact_roots(const Case& question, bool all) {
-  const Scaled scale = scaled(question);
+  const Scaled scale = is_moderate(question) ? Scaled{question} : scaled(question);
   const auto settled = [&](const auto& shape) { return roots_of(scale.question.ray, shape, all); };
   ExactRoots found = std::visit(settled, scale.question.shape);
   for (ExactRoot& root : std::span(found.listed.data(), found.count)) {

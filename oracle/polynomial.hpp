@@ -19,6 +19,11 @@ template <class N>
   return x * x;
 }
 
+template <class N>
+[[gnu::always_inline]] inline N twice(const N& x) {
+  return x + x;
+}
+
 template <class N, int A, int B>
 [[gnu::always_inline]] inline Polynomial<N, std::max(A, B)> operator+(const Polynomial<N, A>& a,
                                                                       const Polynomial<N, B>& b) {
@@ -57,8 +62,7 @@ template <class N>
 
 template <class N>
 [[gnu::always_inline]] inline Polynomial<N, 2> squared(const Polynomial<N, 1>& a) {
-  const N mixed = a.c[0] * a.c[1];
-  return {{squared(a.c[0]), mixed + mixed, squared(a.c[1])}};
+  return {{squared(a.c[0]), twice(N(a.c[0] * a.c[1])), squared(a.c[1])}};
 }
 
 }  // namespace rayaudit::oracle

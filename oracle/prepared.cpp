@@ -1,6 +1,7 @@
 #include "oracle/prepared.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace rayaudit::oracle {
@@ -17,6 +18,15 @@ Invalid flaw(const Cylinder<double>& cylinder) {
 }
 Invalid flaw(const Cone<double>& cone) {
   return cone.base == cone.apex ? Invalid::zero_axis : Invalid::no;
+}
+
+Invalid not_finite(const Case& question) {
+  bool nan = std::isnan(question.ray.t_min) || std::isnan(question.ray.t_max), infinite = false;
+  each_number(question, [&](double x) {
+    nan |= std::isnan(x);
+    infinite |= std::isinf(x);
+  });
+  return nan ? Invalid::nan : infinite ? Invalid::infinite : Invalid::no;
 }
 
 /// The exponent of the largest component seen, the smallest int where all are 0.
@@ -56,10 +66,13 @@ void each_part(S& shape, V&& visit) {
 }  // namespace
 
 bool is_moderate(const Case& question) {
+  // The bits of |x|, doubled, count up as |x| does.
+  constexpr auto size = [](double x) { return std::bit_cast<std::uint64_t>(x) << 1; };
+  constexpr std::uint64_t least = size(0x1p-64), most = size(0x1p64);
   bool moderate = true;
   const auto look = [&](double x) {
-    const double size = std::fabs(x);
-    moderate &= (size >= 0x1p-64 && size <= 0x1p64) || x == 0;
+    const std::uint64_t bits = size(x);
+    moderate &= static_cast<bool>((bits - least <= most - least) | (bits == 0));
   };
   each_number(question, look);
   const double infinity = std::numeric_limits<double>::infinity();
@@ -68,21 +81,15 @@ bool is_moderate(const Case& question) {
   return moderate;
 }
 
-Invalid invalid(const Case& question) {
-  const Ray<double>& ray = question.ray;
-  bool nan = std::isnan(ray.t_min) || std::isnan(ray.t_max), infinite = false;
-  each_number(question, [&](double x) {
-    nan |= std::isnan(x);
-    infinite |= std::isinf(x);
-  });
-  if (nan) return Invalid::nan;
-  if (infinite) return Invalid::infinite;
-  if (is_zero(ray.direction)) return Invalid::zero_direction;
+Invalid invalid(const Case& question, bool moderate) {
+  if (!moderate)
+    if (const Invalid why = not_finite(question); why != Invalid::no) return why;
+  if (is_zero(question.ray.direction)) return Invalid::zero_direction;
   return std::visit(
       [&](const auto& shape) {
         if (const Invalid why = flaw(shape); why != Invalid::no) return why;
         if (!(shape.radius > 0)) return Invalid::radius;
-        return ray.t_min < ray.t_max ? Invalid::no : Invalid::empty_range;
+        return question.ray.t_min < question.ray.t_max ? Invalid::no : Invalid::empty_range;
       },
       question.shape);
 }

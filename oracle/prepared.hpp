@@ -4,12 +4,13 @@
 
 namespace rayaudit::oracle {
 
-/// Why a case is no question of truth, or Invalid::no.
-Invalid invalid(const Case& question);
-
 /// Are all numbers of the case 0 or within 2^-64 .. 2^64? Then no field, discriminant or side sign
 /// of ours overflows or underflows in double.
 bool is_moderate(const Case& question);
+
+/// Why a case is no question of truth, or Invalid::no. Moderate cases are spared the search for
+/// numbers that are not finite.
+Invalid invalid(const Case& question, bool moderate);
 
 /// A valid case with powers of two taken out, so that its exponents are near 0: lengths are divided
 /// by 2^length, the direction by 2^direction, t (and the range) by 2^(length - direction). A normal

@@ -85,7 +85,7 @@ struct QuadraticRoot {
   int at(const Polynomial<N, 1>& g) const {
     const N &g0 = g.c[0], &g1 = g.c[1];
     const N ag0 = f.c[2] * g0;
-    const int sign_p = sign(ag0 + ag0 - g1 * f.c[1]);
+    const int sign_p = sign(twice(ag0) - g1 * f.c[1]);
     if (root == Which::twofold) return sign_a * sign_p;
     return combined(sign_p, sign(g1),
                     [&] { return sign(ag0 * g0 - f.c[1] * (g0 * g1) + f.c[0] * squared(g1)); });
@@ -178,9 +178,7 @@ Outline settle(const Patch<Polynomial<N, 2>, G, sides>& patch, const Range<N>& r
     outline.unsure = sign.unsure;
     return outline;
   }
-  const N ac = a * c;
-  const N twice = ac + ac;
-  const int sign_d = sign(squared(b) - (twice + twice));
+  const int sign_d = sign(squared(b) - twice(twice(N(a * c))));
   if (sign.unsure) return {.unsure = true};
   if (sign_d < 0) return outline;
   const auto root = [&](Which which) {

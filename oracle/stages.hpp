@@ -12,6 +12,9 @@ namespace rayaudit::oracle {
 /// where an interval does not tell a sign. The cases are valid.
 void outline_by_intervals(std::span<const Case* const> cases, std::span<Outline> outlines);
 
+/// Stage 2: the outline of a valid case in exact numbers, never unsure.
+Outline outline_exactly(const Case& question);
+
 /// The t of both roots of F (of one in values[i][0], where F has one), in double-word numbers with
 /// their proved bound, for every case whose outline has a crossing.
 using Values = std::array<Bounded, Truth::most>;

@@ -74,9 +74,11 @@ struct Block {
 void settle_block(std::span<const Case> cases, std::span<Truth> truths, int bits) {
   Block in;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    truths[i] = Truth{.invalid = invalid(cases[i])};
+    const bool moderate = is_moderate(cases[i]);
+    truths[i].clear();
+    truths[i].invalid = invalid(cases[i], moderate);
     if (truths[i].invalid != Invalid::no) continue;
-    if (is_moderate(cases[i])) {
+    if (moderate) {
       in.ask(cases[i], i, 0);
       continue;
     }
@@ -88,22 +90,22 @@ void settle_block(std::span<const Case> cases, std::span<Truth> truths, int bits
       truths[i] = exact_truth(cases[i], bits);
   }
   std::array<Outline, block> outlines;
+  std::array<Stage, block> stages;
   std::array<Values, block> values;
   const std::span asked(in.asked.data(), in.count);
   outline_by_intervals(asked, outlines);
-  for (std::size_t i = 0; i < in.count; ++i)
-    if (outlines[i].unsure) outlines[i] = {.unsure = true};
+  for (std::size_t i = 0; i < in.count; ++i) {
+    stages[i] = outlines[i].unsure ? Stage::exact : Stage::interval;
+    if (outlines[i].unsure) outlines[i] = outline_exactly(*asked[i]);
+  }
   values_by_bounds(asked, outlines, values);
   const double relative = std::ldexp(1.0, -bits);
   for (std::size_t i = 0; i < in.count; ++i) {
     Truth& truth = truths[in.place[i]];
-    const Case& question = cases[in.place[i]];
-    if (outlines[i].unsure) {
-      truth = exact_truth(question, bits);
-    } else if (!fill(truth, *in.asked[i], outlines[i], values[i], relative, in.t_exponent[i])) {
-      truth = exact_truth(question, bits);
-      truth.stage = Stage::interval;  // intervals decided; only t was asked of exact numbers
-    }
+    if (outlines[i].within ||
+        !fill(truth, *asked[i], outlines[i], values[i], relative, in.t_exponent[i]))
+      truth = exact_truth(cases[in.place[i]], bits);
+    truth.stage = stages[i];
   }
 }
 

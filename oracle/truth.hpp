@@ -72,6 +72,12 @@ struct Truth {
     return count > 0 && listed[count - 1].kind == Kind::proper ? &listed[count - 1] : nullptr;
   }
   bool has_touch() const { return count > (hit() ? 1 : 0); }
+  /// Back to a miss; what lies behind the counts may stay.
+  void clear() {
+    invalid = Invalid::no, stage = Stage::interval;
+    count = other_count = 0;
+    others_known = false;
+  }
 };
 
 /// The bits to which t must be known for answers in a format: 2^-10 ulp.

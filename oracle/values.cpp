@@ -14,12 +14,10 @@ namespace {
 /// m / 2A and 2C / m, neither of which cancels.
 [[gnu::always_inline]] inline Values quadratic_roots(const Polynomial<Bounded, 2>& f) {
   const auto& [c, b, a] = f.c;
-  const Bounded ac = a * c;
-  const Bounded twice_ac = ac + ac;
-  const Bounded root = sqrt(squared(b) - (twice_ac + twice_ac));
+  const Bounded root = sqrt(squared(b) - twice(twice(a * c)));
   const bool positive = b.high >= 0;
   const Bounded m = positive ? -(b + root) : root - b;
-  const Bounded by_a = m / (a + a), by_c = (c + c) / m;
+  const Bounded by_a = m / twice(a), by_c = twice(c) / m;
   const bool smaller_by_a = positive == (a.high > 0);
   return smaller_by_a ? Values{by_a, by_c} : Values{by_c, by_a};
 }
@@ -28,7 +26,7 @@ template <int degree>
 [[gnu::always_inline]] inline Values roots(const Polynomial<Bounded, degree>& field, Which first) {
   if constexpr (degree == 2) {
     if (first == Which::smaller) return quadratic_roots(field);
-    if (first == Which::twofold) return {-field.c[1] / (field.c[2] + field.c[2])};
+    if (first == Which::twofold) return {-field.c[1] / twice(field.c[2])};
   }
   return {linear_root(field.c[0], field.c[1])};
 }

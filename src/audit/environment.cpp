@@ -22,10 +22,10 @@ bool contracts() {
   return a * b - c != 0;
 }
 
-/// Are subnormal numbers lost, as results or as operands?
+/// Are subnormal numbers lost, as a result or in a comparison?
 bool flushes_to_zero() {
-  volatile double least_normal = 0x1p-1022, half = 0.5, subnormal = 0x1p-1030, large = 0x1p100;
-  return least_normal * half == 0 || subnormal * large == 0;
+  volatile double least_normal = 0x1p-1022, half = 0.5;
+  return least_normal * half == 0;
 }
 
 std::string rounding() {

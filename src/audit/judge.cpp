@@ -7,6 +7,9 @@
 namespace rayaudit {
 namespace {
 
+/// The bits to which the roots of a case are asked for where a comparison hangs on them.
+constexpr int sharpest = 150;
+
 using oracle::Crossing;
 using oracle::Kind;
 using oracle::Standing;
@@ -74,6 +77,7 @@ struct Choices {
     }
   }
 
+  bool accepts(int crossing) const { return std::ranges::find(list(), crossing) != list().end(); }
   std::span<const int> list() const { return {acceptable.data(), static_cast<std::size_t>(count)}; }
 };
 
@@ -104,13 +108,13 @@ Claim claim_of_yes(Settled& settled) {
   return roots.empty() ? Claim::no_root : claim_of(roots.back().standing);
 }
 
-/// The t that an answer claims; NaN for a point that is not finite.
-Real claimed_t(const Case& question, const Answer& answer, const Format& format) {
+/// The t that an answer claims, to 2^-bits; NaN for a point that is not finite.
+Real claimed_t(const Case& question, const Answer& answer, int bits) {
   if (answer.form == Answer::Form::hit) return answer.t;
   const auto& [x, y, z] = answer.point;
   if (!is_finite(x) || !is_finite(y) || !is_finite(z))
     return {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};
-  return oracle::projection(question.ray, answer.point, oracle::bits_for(format));
+  return oracle::projection(question.ray, answer.point, bits);
 }
 
 /// fl(o + t d), every operation rounded in N.
@@ -170,17 +174,44 @@ void measure(Judgement& judgement, Settled& settled, const Answer& answer, const
   measure_point(judgement, settled, answer, format);
 }
 
-/// Is a root that is not acceptable nearer to t than the acceptable gap?
-bool is_nearer_elsewhere(Settled& settled, const Choices& choices, const Real& t,
-                         const Real& accepted) {
-  const oracle::Truth& truth = settled.truth();
-  const auto nearer = [&](const Real& root) { return compare(gap(t, root), accepted) < 0; };
+/// Is one gap smaller than another by more than t may be off, which is known to 2^-bits?
+bool is_surely_smaller(const Real& gap, const Real& other, const Real& t, int bits) {
+  const Real lead = difference(other, gap);
+  return sign(lead) > 0 && (sign(t) == 0 || ratio(lead, t) > std::ldexp(1.0, -bits));
+}
+
+/// The root that is not acceptable and yet nearer to t than every acceptable one, or null. Asked of
+/// roots so sharp that only an exact tie is left open; an acceptable root wins those.
+const oracle::Root* nearer_elsewhere(Settled& settled, const Choices& choices,
+                                     const Answer& answer) {
+  const Real t = claimed_t(settled.question(), answer, sharpest);
+  const oracle::Roots& roots = settled.roots();
+  std::optional<Real> accepted;
+  const oracle::Root* nearest = nullptr;
+  int crossing = 0;
+  for (const oracle::Root& root : roots.roots()) {
+    const bool listed = root.standing == Standing::acceptable;
+    if (listed && choices.accepts(crossing++)) {
+      if (!accepted || compare(gap(t, root.t), *accepted) < 0) accepted = gap(t, root.t);
+    } else if (nearest == nullptr || compare(gap(t, root.t), gap(t, nearest->t)) < 0) {
+      nearest = &root;
+    }
+  }
+  if (nearest == nullptr || !accepted) return nullptr;
+  return is_surely_smaller(gap(t, nearest->t), *accepted, t, sharpest - 10) ? nearest : nullptr;
+}
+
+/// Is no root that is not acceptable anywhere near as close to t as the accepted gap? Answered from
+/// what the truth knows; false where it takes sharper roots to tell.
+bool is_surely_nearest(const oracle::Truth& truth, const Choices& choices, const Real& t,
+                       const Real& accepted) {
+  constexpr int bits = 28;  // fewer than any t of a truth has
+  const auto further = [&](const Real& root) {
+    return is_surely_smaller(accepted, gap(t, root), t, bits);
+  };
   for (int i = 0; i < choices.refused_count; ++i)
-    if (nearer(truth.crossings()[choices.refused[i]].t)) return true;
-  if (truth.others_known) return std::ranges::any_of(truth.others(), nearer);
-  return std::ranges::any_of(settled.roots().roots(), [&](const oracle::Root& root) {
-    return root.standing != Standing::acceptable && nearer(root.t);
-  });
+    if (!further(truth.crossings()[choices.refused[i]].t)) return false;
+  return truth.others_known && std::ranges::all_of(truth.others(), further);
 }
 
 /// A t that is NaN or infinite, where a hit is acceptable.
@@ -210,12 +241,12 @@ Judgement judge_t(Judgement judgement, Settled& settled, const Choices& choices,
       nearest = i, off = other;
   const Real& exact = truth.crossings()[nearest].t;
   const bool within_an_ulp = scaled(off, spacing_exponent(exact, format)) <= 1;
-  if (!within_an_ulp && is_nearer_elsewhere(settled, choices, t, off)) {
-    judgement.verdict = Verdict::wrong_root;
-    const oracle::Root* root = nearest_root(settled, t);
-    judgement.claim = claim_of(root->standing);
-    return judgement;
-  }
+  if (!within_an_ulp && !is_surely_nearest(truth, choices, t, off))
+    if (const oracle::Root* root = nearer_elsewhere(settled, choices, answer); root != nullptr) {
+      judgement.verdict = Verdict::wrong_root;
+      judgement.claim = claim_of(root->standing);
+      return judgement;
+    }
   judgement.crossing = nearest;
   judgement.taken = nearest != choices.must;
   judgement.verdict = judgement.taken                      ? Verdict::touch
@@ -242,7 +273,7 @@ Judgement judge_hit(Judgement judgement, Settled& settled, const Choices& choice
     if (choices.count > 0) return judge_yes(judgement, choices);
     return {.verdict = Verdict::false_hit, .claim = claim_of_yes(settled)};
   }
-  const Real t = claimed_t(settled.question(), answer, format);
+  const Real t = claimed_t(settled.question(), answer, oracle::bits_for(format));
   if (choices.count == 0) return {.verdict = Verdict::false_hit, .claim = claim_at(settled, t)};
   if (!is_finite(t)) return judge_not_finite(judgement, settled.truth(), choices, t, format);
   return judge_t(judgement, settled, choices, answer, t, format);
@@ -275,7 +306,7 @@ std::string_view name(Side side) {
 }
 
 const oracle::Roots& Settled::roots() {
-  if (!roots_) roots_ = oracle::roots(question_);
+  if (!roots_) roots_ = oracle::roots(question_, sharpest);
   return *roots_;
 }
 

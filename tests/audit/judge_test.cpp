@@ -87,6 +87,14 @@ BOOST_AUTO_TEST_CASE(an_acceptable_root_wins_ties) {
   BOOST_TEST(told(through + "hit 0x1.8000000000001p+1") == "wrong_root later");
 }
 
+BOOST_AUTO_TEST_CASE(an_acceptable_root_wins_a_tie_of_irrational_roots) {
+  // The centre projects exactly between the two roots, whatever they are.
+  BOOST_TEST(told("sphere 0x1.48ep-8 -0x1.c6dp-6 -0x1.435p-6 0x1.16e8p-5 ray -0x1.0a82dp-1 "
+                  "0x1.1b9a8p-2 -0x1.dcp-3 0x1.39b1ep+3 -0x1.4dcdbp+2 0x1.19856p+2 "
+                  "at 0x1.48ep-8 -0x1.c6dp-6 -0x1.435p-6") == "right");
+  BOOST_TEST(told("sphere 1 2 3 0.3 ray 4.1 5.2 6.3 -3.1 -3.2 -3.3 at 1 2 3") == "wrong_t");
+}
+
 BOOST_AUTO_TEST_CASE(an_acceptable_root_wins_whenever_the_answer_is_within_an_ulp_of_it) {
   // The roots 2^52 and 2^52 + 2 of a unit sphere far away are two ulps apart.
   const std::string far = "sphere 0 0 0x1.0000000000001p+52 1 ray 0 0 0 0 0 1 ";

@@ -1,0 +1,140 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "audit/finding.hpp"
+#include "geometry/case_line.hpp"
+#include "reports/report.hpp"
+
+namespace rayaudit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class E>
+E nth(std::size_t i) {
+  return static_cast<E>(i);
+}
+
+/// JSON has no infinity and no NaN: they become "inf" and null.
+Json number(double x) {
+  if (std::isnan(x)) return nullptr;
+  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
+  return x;
+}
+
+/// The case line, with what the subject answered.
+std::string line(const Worst& worst) {
+  std::string text = case_line(worst.question) + ' ';
+  write(text, worst.answer);
+  return text;
+}
+
+/// Largest and quantiles of errors; null where nothing was measured.
+Json errors(const Histogram& histogram) {
+  const auto told = [&](double x) { return histogram.count() > 0 ? number(x) : Json(nullptr); };
+  return {{"max", told(histogram.largest())},
+          {"p50", told(histogram.quantile(0.5))},
+          {"p99", told(histogram.quantile(0.99))},
+          {"measured", histogram.count()}};
+}
+
+Json touches(const Tally& tally) {
+  Json told = Json::object();
+  for (std::size_t i = 0; i < tally.touches.size(); ++i)
+    if (const auto& [taken, passed] = tally.touches[i]; taken + passed > 0)
+      told[std::string(name(nth<oracle::Kind>(i)))] = {{"hit", taken}, {"miss", passed}};
+  return told;
+}
+
+/// The counts that are not 0, by name; not those of the first, which says that there is nothing.
+template <class E, std::size_t count>
+Json counts(const std::array<std::uint64_t, count>& of) {
+  Json told = Json::object();
+  for (std::size_t i = 1; i < count; ++i)
+    if (of[i] > 0) told[std::string(name(nth<E>(i)))] = of[i];
+  return told;
+}
+
+Json worst(const Tally& tally) {
+  Json told = Json::object();
+  for (std::size_t i = 0; i < verdict_count; ++i)
+    if (tally.worst[i]) told[std::string(name(nth<Verdict>(i)))] = line(*tally.worst[i]);
+  if (tally.worst_forced) told["forced"] = line(*tally.worst_forced);
+  return told;
+}
+
+Json told(const Audit& audit) {
+  const Tally& tally = audit.tally;
+  Json told = {{"subject", audit.subject->name},
+               {"format", audit.subject->format.name},
+               {"shape", shape_names[audit.shape]},
+               {"family", audit.family->id},
+               {"cases", tally.cases},
+               {"wrong", tally.wrong()}};
+  // Where none of N is wrong, the share of wrong is below 3/N with 95 % confidence.
+  told["wrong_below_95"] =
+      tally.wrong() == 0 ? number(3 / static_cast<double>(tally.cases)) : Json(nullptr);
+  for (std::size_t i = 0; i < verdict_count; ++i)
+    told[std::string(name(nth<Verdict>(i)))] = tally.verdicts[i];
+  told["claims"] = counts<Claim>(tally.claims);
+  told["touches"] = touches(tally);
+  told["decided_by"] = {{"interval", tally.by_interval}, {"exact", tally.by_exact}};
+  told["ulp"] = errors(tally.ulps);
+  told["forced"] = errors(tally.forced);
+  told["distance"] = errors(tally.distance);
+  told["sides"] = counts<Side>(tally.sides);
+  told["worst"] = worst(tally);
+  return told;
+}
+
+Json told(const Finding& finding) {
+  return {{"routine", finding.routine},       {"shape", shape_names[finding.shape]},
+          {"verdict", name(finding.verdict)}, {"claim", name(finding.claim)},
+          {"numbers", finding.numbers},       {"families", finding.families},
+          {"wrong", finding.wrong},           {"cases", finding.cases},
+          {"share", finding.share},           {"subject", finding.subject},
+          {"example", line(finding.example)}};
+}
+
+Json told(const Environment& environment) {
+  return {{"compiler", environment.compiler},       {"flags", environment.flags},
+          {"processor", environment.processor},     {"processors", environment.processors},
+          {"contraction", environment.contraction}, {"flush_to_zero", environment.flush_to_zero},
+          {"rounding", environment.rounding}};
+}
+
+Json told(const Convention& convention) {
+  constexpr std::string_view stances[] = {"either", "hit", "miss"};
+  Json told = Json::object();
+  for (std::size_t i = 1; i < convention.stances.size(); ++i)
+    told[std::string(name(nth<oracle::Kind>(i)))] =
+        stances[static_cast<std::size_t>(convention.stances[i])];
+  return told;
+}
+
+template <class List>
+Json list(const List& of) {
+  Json all = Json::array();
+  for (const auto& each : of) all.push_back(told(each));
+  return all;
+}
+
+}  // namespace
+
+std::string write_json(const Run& run, const Look&) {
+  const Plan& plan = run.plan;
+  const Json report = {{"schema", 1},
+                       {"tool", {{"name", "rayaudit"}, {"version", run.version}}},
+                       {"seed", plan.seed},
+                       {"cases", plan.cases},
+                       {"difficulty", plan.difficulty ? Json(*plan.difficulty) : Json(nullptr)},
+                       {"convention", told(plan.convention)},
+                       {"limits", {{"wrong_t", wrong_t_limit}}},
+                       {"environment", told(run.environment)},
+                       {"audits", list(run.audits)},
+                       {"findings", list(findings(run.audits))}};
+  // Bytes that are no UTF-8, in the name of a subject, must not stop the report.
+  return report.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace rayaudit

@@ -1,0 +1,213 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "reports/figures.hpp"
+#include "reports/findings.hpp"
+#include "reports/ink.hpp"
+#include "reports/report.hpp"
+#include "reports/touches.hpp"
+#include "reports/wrapped.hpp"
+
+namespace rayaudit {
+namespace {
+
+using figures::grouped;
+using figures::magnitude;
+using figures::percent;
+
+/// Up to so many audits get a row each; beyond, a row is a subject over all families.
+constexpr std::size_t audits_with_rows = 100;
+
+/// The audits of one subject and shape that a row tells of, and their sum.
+struct Line {
+  const Subject* subject;
+  std::size_t shape;
+  std::vector<const Audit*> audits;
+  Tally tally = {};
+
+  void add(const Audit& audit) {
+    audits.push_back(&audit);
+    tally.merge(audit.tally);
+  }
+};
+
+std::vector<Line> lines(const std::vector<Audit>& audits, bool each_family) {
+  std::vector<Line> all;
+  for (const Audit& audit : audits) {
+    const bool same = !each_family && !all.empty() && all.back().subject == audit.subject &&
+                      all.back().shape == audit.shape;
+    if (!same) all.push_back({audit.subject, audit.shape, {}});
+    all.back().add(audit);
+  }
+  return all;
+}
+
+std::string cut(std::string_view text, std::size_t width) {
+  return text.size() <= width ? std::string(text) : std::string(text.substr(0, width - 1)) + '~';
+}
+
+/// Is a smaller share of a wrong than of b?
+bool is_less_wrong(const Audit* a, const Audit* b) {
+  return static_cast<double>(a->tally.wrong()) / static_cast<double>(a->tally.cases) <
+         static_cast<double>(b->tally.wrong()) / static_cast<double>(b->tally.cases);
+}
+
+constexpr std::array shown_verdicts = {Verdict::false_hit,  Verdict::false_miss,
+                                       Verdict::wrong_root, Verdict::wrong_t,
+                                       Verdict::not_finite, Verdict::invalid_mishandled};
+
+constexpr int subject_width = 28, family_width = 13, share_width = 6, error_width = 7;
+constexpr int shares_width = share_width * (1 + static_cast<int>(shown_verdicts.size()));
+
+/// What is wrong of all, and of it what; or how little can be, with nothing wrong seen.
+std::string shares(const Tally& tally, const Ink& ink) {
+  const std::uint64_t wrong = tally.wrong();
+  if (wrong == 0) {
+    const double most = 300 / static_cast<double>(tally.cases);
+    const std::string holds =
+        fmt::format("0 of {}, < {}% at 95%", grouped(tally.cases), magnitude(most));
+    return ink.good(fmt::format("{:>{}}", holds, shares_width));
+  }
+  std::string text = ink.bad(fmt::format("{:>{}}", percent(wrong, tally.cases), share_width));
+  for (const Verdict verdict : shown_verdicts)
+    text += fmt::format("{:>{}}", percent(tally.of(verdict), tally.cases), share_width);
+  return text;
+}
+
+/// A figure of errors, where anything was measured.
+std::string error(const Histogram& errors, double figure) {
+  return fmt::format("{:>{}}", errors.count() > 0 ? magnitude(figure) : "-", error_width);
+}
+
+std::string row(const Line& line, const Ink& ink) {
+  const auto holds = [](const Audit* audit) { return audit->tally.wrong() == 0; };
+  const auto held = std::count_if(line.audits.begin(), line.audits.end(), holds);
+  const Audit* worst = *std::max_element(line.audits.begin(), line.audits.end(), is_less_wrong);
+  const Tally& there = worst->tally;
+  const std::string most = holds(worst)
+                               ? ""
+                               : fmt::format("{:>5}% {}", percent(there.wrong(), there.cases),
+                                             cut(worst->family->id, family_width));
+  const Tally& tally = line.tally;
+  return fmt::format(
+      "  {:<{}}{}{:>6} {:<20}{}{}{}\n", cut(line.subject->name, subject_width), subject_width,
+      shares(tally, ink), fmt::format("{}/{}", held, line.audits.size()), most,
+      error(tally.ulps, tally.ulps.quantile(0.5)), error(tally.forced, tally.forced.quantile(0.99)),
+      error(tally.forced, tally.forced.largest()));
+}
+
+std::string row_of_family(const Line& line, const Ink& ink) {
+  const Tally& tally = line.tally;
+  return fmt::format(
+      "  {:<{}} {:<{}}{}{:>6}{}{}{}\n", cut(line.subject->name, subject_width), subject_width,
+      cut(line.audits.front()->family->id, family_width), family_width, shares(tally, ink),
+      percent(tally.of(Verdict::touch), tally.cases), error(tally.ulps, tally.ulps.quantile(0.99)),
+      error(tally.ulps, tally.ulps.largest()), error(tally.forced, tally.forced.largest()));
+}
+
+constexpr std::string_view verdicts_above = "       false false wrong wrong  NaN,   in-";
+constexpr std::string_view verdicts_below = " wrong   hit  miss  root     t   inf valid";
+
+std::string heading(std::string_view shape, const Ink& ink) {
+  const std::string name = fmt::format("{:<{}}", shape, 2 + subject_width);
+  return ink.heading(name) + std::string(verdicts_above) +
+         fmt::format("{:>48}\n{:<{}}", "   ulp forced forced", "", 2 + subject_width) +
+         std::string(verdicts_below) +
+         fmt::format(" {:>5} {:<20}{:>7}{:>7}{:>7}\n", "holds", "most wrong in", "p50", "p99",
+                     "max");
+}
+
+std::string heading_of_families(std::string_view shape, const Ink& ink) {
+  const int width = 2 + subject_width + 1 + family_width;
+  const std::string name = fmt::format("{:<{}}", shape, width);
+  return ink.heading(name) + std::string(verdicts_above) +
+         fmt::format("{:>6}{:>7}{:>7}{:>7}\n{:<{}}", "", "ulp", "ulp", "forced", "", width) +
+         std::string(verdicts_below) +
+         fmt::format("{:>6}{:>7}{:>7}{:>7}\n", "touch", "p99", "max", "max");
+}
+
+std::string title(const Run& run) {
+  const Plan& plan = run.plan;
+  std::string text =
+      fmt::format("rayaudit {}: {} cases for each subject, shape and family; seed {}", run.version,
+                  grouped(plan.cases), plan.seed);
+  if (plan.difficulty) text += fmt::format("; difficulty {}", *plan.difficulty);
+  for (std::size_t kind = 1; kind < plan.convention.stances.size(); ++kind) {
+    const auto stance = plan.convention.stances[kind];
+    if (stance != Convention::Stance::either)
+      text += fmt::format("; {} declared to be a {}", name(static_cast<oracle::Kind>(kind)),
+                          stance == Convention::Stance::hit ? "hit" : "miss");
+  }
+  return wrapped(text, 0);
+}
+
+std::string legend(bool each_family) {
+  return wrapped(
+      fmt::format(
+          "Per cent of the cases are wrong, and how; a t is wrong where it is off by more "
+          "than 1/{:.0f} of itself. {} Ulp: the error of t in units of its last place. "
+          "Forced: the same in units of what rounding the numbers of the case once would do "
+          "to t. p50, p99, max: half, 99% and all of the hits are no worse.",
+          1 / wrong_t_limit,
+          each_family ? "Touch: a hit or a miss by convention, never counted as wrong."
+                      : "Holds: the families where none is wrong, of how many."),
+      0);
+}
+
+std::string surroundings(const Environment& environment) {
+  return wrapped(
+      fmt::format("Found where it ran: rounding {}, {} contraction, {}; compiled by {} with {}; {} "
+                  "(runs {} threads at once)",
+                  environment.rounding, environment.contraction ? "with" : "no",
+                  environment.flush_to_zero ? "flushes to zero" : "no flush to zero",
+                  environment.compiler, environment.flags, environment.processor,
+                  environment.processors),
+      0);
+}
+
+std::string summary(const Run& run, const Ink& ink) {
+  std::uint64_t cases = 0, wrong = 0, holding = 0, valid = 0, by_exact = 0, decided = 0;
+  for (const auto& [subject, family, shape, tally] : run.audits) {
+    cases += tally.cases;
+    wrong += tally.wrong();
+    holding += tally.wrong() == 0;
+    valid +=
+        tally.cases - tally.of(Verdict::invalid_handled) - tally.of(Verdict::invalid_mishandled);
+    by_exact += tally.by_exact;
+    decided += tally.by_interval + tally.by_exact;
+  }
+  const auto share = [](std::uint64_t part, std::uint64_t whole) {
+    return part == 0 ? "0" : percent(part, whole);
+  };
+  const std::string verdict =
+      fmt::format("{}% of {} cases wrong; {} of {} audits hold", share(wrong, cases),
+                  grouped(cases), grouped(holding), grouped(run.audits.size()));
+  return (wrong == 0 ? ink.good(verdict) : ink.bad(verdict)) +
+         fmt::format("; {} undecided ({}% needed exact numbers)\n", grouped(valid - decided),
+                     share(by_exact, valid));
+}
+
+}  // namespace
+
+std::string write_table(const Run& run, const Look& look) {
+  const Ink ink = {look.colour};
+  const bool each_family = run.audits.size() <= audits_with_rows;
+  const std::vector<Line> all = lines(run.audits, each_family);
+  std::string text = title(run) + '\n' + legend(each_family) + '\n';
+  for (const std::size_t shape : run.plan.shapes) {
+    std::string rows;
+    for (const Line& line : all)
+      if (line.shape == shape) rows += each_family ? row_of_family(line, ink) : row(line, ink);
+    if (rows.empty()) continue;
+    const std::string_view name = shape_names[shape];
+    text += (each_family ? heading_of_families(name, ink) : heading(name, ink)) + rows + '\n';
+  }
+  const std::string touches = write_touches(run, ink);
+  if (!touches.empty()) text += touches + '\n';
+  return text + write_findings(run, ink, look.all_findings) + '\n' + surroundings(run.environment) +
+         summary(run, ink);
+}
+
+}  // namespace rayaudit

@@ -1,0 +1,231 @@
+#define BOOST_TEST_MODULE table
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <sstream>
+
+#include "geometry/case_line.hpp"
+#include "tests/reports/hand_made.hpp"
+
+namespace rayaudit {
+namespace {
+
+constexpr std::string_view explain = "     rayaudit explain '";
+
+std::vector<std::string> lines(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> all;
+  for (std::string line; std::getline(stream, line);) all.push_back(line);
+  return all;
+}
+
+std::string table(const HandMade& made, const Look& look = {}) {
+  return write_table(made.run(), look);
+}
+
+bool tells(const std::string& text, std::string_view words) {
+  return text.find(words) != text.npos;
+}
+
+std::size_t count(const std::string& text, std::string_view words) {
+  std::size_t found = 0;
+  for (auto at = text.find(words); at != text.npos; at = text.find(words, at + 1)) ++found;
+  return found;
+}
+
+/// The line that begins with this name, but for the indent.
+std::string row(const std::string& text, const std::string& name) {
+  for (const std::string& line : lines(text))
+    if (line.starts_with("  " + name + ' ')) return line;
+  return "";
+}
+
+/// As wide and as many as it gets: long names, all verdicts, all touches, figures of any size.
+HandMade crowded(std::size_t families) {
+  HandMade made;
+  for (int s = 0; s < 5; ++s)
+    for (std::size_t f = 0; f < families; ++f) {
+      Tally& tally =
+          made.add("a_routine_of_a_rather_long_name_" + std::to_string(s) + "/long_double", s % 4,
+                   "parallel-near-" + std::to_string(f));
+      for (std::size_t v = 2; v < verdict_count; ++v) {
+        const auto verdict = static_cast<Verdict>(v);
+        const bool claims = verdict == Verdict::false_hit || verdict == Verdict::wrong_root;
+        turn(tally, verdict, claims ? Claim::clipped : Claim::none, 1 + (s + f + v) % 9);
+      }
+      for (const double error : {1e-300, 0.5, 123456.0, 1e300}) {
+        tally.ulps.add(error);
+        tally.forced.add(error);
+      }
+      for (TouchCount& touch : tally.touches) touch = {1, 9999 + f};
+    }
+  made.environment.flags = std::string(90, '-');
+  made.environment.processor = std::string(60, 'p');
+  return made;
+}
+
+BOOST_AUTO_TEST_CASE(it_fits_the_page_but_for_case_lines) {
+  for (const std::size_t families : {3, 30})
+    for (const std::string& line : lines(table(crowded(families), {.all_findings = true})))
+      BOOST_TEST((line.size() <= 120 || line.starts_with(explain)), line);
+}
+
+BOOST_AUTO_TEST_CASE(there_are_escape_codes_only_where_colour_is_wanted) {
+  BOOST_TEST(!tells(table(crowded(3)), "\x1b"));
+  BOOST_TEST(!tells(table(crowded(30)), "\x1b"));
+  BOOST_TEST(tells(table(crowded(3), {.colour = true}), "\x1b[31m"));
+}
+
+BOOST_AUTO_TEST_CASE(without_its_colour_it_is_the_plain_table) {
+  std::string text = table(crowded(3), {.colour = true});
+  for (auto at = text.find('\x1b'); at != text.npos; at = text.find('\x1b'))
+    text.erase(at, text.find('m', at) + 1 - at);
+  BOOST_TEST(text == table(crowded(3)));
+}
+
+BOOST_AUTO_TEST_CASE(few_audits_get_a_row_each) {
+  HandMade made;
+  turn(made.add("textbook/float", 1, "grazing"), Verdict::false_miss, Claim::none, 12);
+  made.add(1, "far");
+  const std::string text = table(made);
+  const std::string first = row(text, "textbook/float");
+  BOOST_TEST(tells(first, "grazing"));
+  BOOST_TEST(tells(first, "12.0     -  12.0     -"), first);
+  BOOST_TEST(count(text, "\n  textbook/float") == 2);
+}
+
+BOOST_AUTO_TEST_CASE(many_audits_are_a_row_for_each_subject_and_shape) {
+  HandMade made;
+  made.add("textbook/float", 1, "f0");
+  for (int f = 1; f < 120; ++f)
+    turn(made.add(1, "f" + std::string(1, static_cast<char>('0' + f % 10))), Verdict::wrong_t,
+         Claim::none, f == 7 ? 50 : f % 2);
+  const std::string text = table(made);
+  const std::string only = row(text, "textbook/float");
+  BOOST_TEST(count(text, "\n  textbook/float") == 1);
+  BOOST_TEST(tells(only, "60/120"), only);
+  BOOST_TEST(tells(only, "50.0% f7"), only);
+}
+
+BOOST_AUTO_TEST_CASE(what_holds_says_how_sure_that_is) {
+  HandMade made;
+  made.add("textbook/float", 1, "anywhere");
+  BOOST_TEST(tells(row(table(made), "textbook/float"), "0 of 100, < 3% at 95%"));
+}
+
+BOOST_AUTO_TEST_CASE(a_little_is_never_told_as_nothing_nor_nearly_all_as_all) {
+  HandMade made;
+  Tally& little = made.add("little/float", 1, "anywhere");
+  little.cases = little.verdicts[0] = 1000000;
+  turn(little, Verdict::wrong_t, Claim::none, 1);
+  Tally& much = made.add("much/float", 1, "anywhere");
+  much.cases = much.verdicts[0] = 1000000;
+  turn(much, Verdict::wrong_t, Claim::none, 999999);
+  BOOST_TEST(tells(row(table(made), "little/float"), " <0.01"));
+  BOOST_TEST(tells(row(table(made), "much/float"), " >99.9"));
+}
+
+BOOST_AUTO_TEST_CASE(a_shape_without_audits_is_left_out) {
+  HandMade made;
+  made.add("textbook/float", 1, "anywhere");
+  BOOST_TEST(tells(table(made), "\nsphere "));
+  BOOST_TEST(!tells(table(made), "\ncone "));
+}
+
+BOOST_AUTO_TEST_CASE(findings_alike_are_one_with_all_their_routines_and_shapes) {
+  HandMade made;
+  turn(made.add("textbook/float", 1, "far"), Verdict::false_miss, Claim::none, 10, 1);
+  turn(made.add(3, "far"), Verdict::false_miss, Claim::none, 20, 2);
+  turn(made.add("other/double", 1, "far"), Verdict::false_miss, Claim::none, 30, 3);
+  turn(made.add(1, "rim"), Verdict::false_miss, Claim::none, 5, 4);
+  const std::string text = table(made);
+  BOOST_TEST(tells(text, "  1. false miss: a miss where there is a hit\n"));
+  BOOST_TEST(tells(text,
+                   "     other (sphere), textbook (cone, sphere) in double, float: 30.0% of "
+                   "far, 5.00% of rim\n"));
+  BOOST_TEST(!tells(text, "  2. "));
+  BOOST_TEST(tells(text, std::string(explain) + case_line(known_case(3)) + "'\n"));
+}
+
+BOOST_AUTO_TEST_CASE(findings_of_another_verdict_claim_or_family_stand_apart_worst_first) {
+  HandMade made;
+  turn(made.add("a/float", 1, "far"), Verdict::false_hit, Claim::behind, 10);
+  turn(made.add("b/float", 1, "far"), Verdict::false_hit, Claim::clipped, 20);
+  turn(made.add("c/float", 1, "far"), Verdict::wrong_root, Claim::clipped, 30);
+  turn(made.add("d/float", 1, "rim"), Verdict::wrong_root, Claim::clipped, 40);
+  const std::string text = table(made);
+  BOOST_TEST(count(text, explain) == 4);
+  const auto place = [&](std::string_view who) { return text.find(who, text.find("Findings")); };
+  BOOST_TEST(place(" d (") < place(" c ("));
+  BOOST_TEST(place(" c (") < place(" b ("));
+  BOOST_TEST(place(" b (") < place(" a ("));
+}
+
+BOOST_AUTO_TEST_CASE(only_the_worst_findings_are_shown_and_the_rest_counted_or_all) {
+  HandMade made;
+  for (int i = 0; i < 25; ++i)
+    turn(made.add("a/float", 1, "f" + std::string(1, static_cast<char>('a' + i))), Verdict::wrong_t,
+         Claim::none, 1 + i);
+  // 25 families of one routine are one finding; of 25 routines they are 25.
+  BOOST_TEST(count(table(made), explain) == 1);
+  for (std::size_t i = 0; i < 25; ++i)
+    made.subjects[i].name = "r" + std::string(1, static_cast<char>('a' + i)) + "/float";
+  BOOST_TEST(count(table(made), explain) == 20);
+  BOOST_TEST(tells(table(made), "\n5 more, less severe: --all-findings shows them.\n"));
+  BOOST_TEST(count(table(made, {.all_findings = true}), explain) == 25);
+}
+
+BOOST_AUTO_TEST_CASE(touches_tell_what_was_taken_for_a_hit) {
+  constexpr auto tangent = static_cast<std::size_t>(oracle::Kind::tangent);
+  constexpr auto rim = static_cast<std::size_t>(oracle::Kind::rim);
+  constexpr auto end = static_cast<std::size_t>(oracle::Kind::end);
+  HandMade made;
+  Tally& first = made.add("textbook/float", 2, "tangent");
+  first.touches[tangent] = {4, 0};
+  first.touches[rim] = {1, 3};
+  Tally& second = made.add("textbook/double", 2, "tangent");
+  second.touches[tangent] = {9, 0};
+  second.touches[rim] = {2, 2};
+  second.touches[end] = {0, 7};
+  const std::string text = table(made);
+  const std::string told = row(text.substr(text.find("\nTouches")), "cylinder");
+  BOOST_TEST(tells(told, "textbook"), told);
+  BOOST_TEST(tells(told, "hit           25.0-50.0%    miss"), told);
+  BOOST_TEST(!tells(text, "apex"));
+}
+
+BOOST_AUTO_TEST_CASE(it_ends_with_all_in_one_line) {
+  HandMade made;
+  turn(made.add("textbook/float", 1, "far"), Verdict::false_miss, Claim::none, 10);
+  Tally& invalid = made.add(1, "invalid");
+  turn(invalid, Verdict::invalid_handled, Claim::none, 100);
+  Tally& exact = made.add(1, "tangent");
+  exact.by_interval = 0;
+  exact.by_exact = 100;
+  BOOST_TEST(lines(table(made)).back() ==
+             "3.33% of 300 cases wrong; 2 of 3 audits hold; 0 undecided (50.0% needed exact "
+             "numbers)");
+  exact.by_exact = 99;
+  BOOST_TEST(tells(lines(table(made)).back(), "; 1 undecided"));
+}
+
+BOOST_AUTO_TEST_CASE(seed_version_convention_and_surroundings_are_on_record) {
+  HandMade made;
+  made.add("textbook/float", 1, "far");
+  made.plan.convention.of(oracle::Kind::rim) = Convention::Stance::hit;
+  const std::string text = table(made);
+  BOOST_TEST(tells(text, "rayaudit 1.2.3"));
+  BOOST_TEST(tells(text, "seed 18364758544493064720"));
+  BOOST_TEST(tells(text, "rim declared to be a hit"));
+  BOOST_TEST(tells(text, "rounding to nearest, no contraction, no flush to zero"));
+}
+
+BOOST_AUTO_TEST_CASE(every_report_is_in_the_list_and_ends_its_last_line) {
+  HandMade made;
+  made.add("textbook/float", 1, "far");
+  BOOST_TEST(reports().size() == 3);
+  for (const Report& report : reports())
+    BOOST_TEST(report.write(made.run(), {}).back() == '\n', report.name);
+}
+
+}  // namespace
+}  // namespace rayaudit
