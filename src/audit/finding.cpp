@@ -10,12 +10,12 @@ namespace {
 /// The wrong verdicts of one kind in one audit.
 struct Occurrence {
   const Audit* audit;
-  Verdict verdict;
+  const Outcome* outcome;
 
-  const Worst& example() const { return *audit->tally.worst[static_cast<std::size_t>(verdict)]; }
-  double share() const {
-    return static_cast<double>(audit->tally.of(verdict)) / static_cast<double>(audit->tally.cases);
+  Afflicted afflicted() const {
+    return {std::string(audit->family->id), outcome->count, audit->tally.cases};
   }
+  double share() const { return afflicted().share(); }
   std::string_view subject() const { return audit->subject->name; }
   std::string_view routine() const { return subject().substr(0, subject().rfind('/')); }
   std::string_view number() const {
@@ -24,22 +24,26 @@ struct Occurrence {
   }
   /// What a finding has in common.
   auto kind() const {
-    return std::tuple(routine(), audit->shape, verdict, example().judgement.claim);
+    return std::tuple(routine(), audit->shape, outcome->verdict, outcome->claim);
   }
 };
 
 std::vector<Occurrence> occurrences(const std::vector<Audit>& audits) {
   std::vector<Occurrence> all;
   for (const Audit& audit : audits)
-    for (std::size_t i = 0; i < verdict_count; ++i)
-      if (const auto verdict = Verdict{static_cast<std::uint8_t>(i)};
-          is_wrong(verdict) && audit.tally.of(verdict) > 0)
-        all.push_back({&audit, verdict});
+    for (const Outcome& outcome : audit.tally.outcomes)
+      if (is_wrong(outcome.verdict)) all.push_back({&audit, &outcome});
   return all;
 }
 
 void include(std::vector<std::string>& names, std::string_view name) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
+}
+
+/// Of several subjects that a family afflicts the first, who is afflicted most, is told.
+void include(std::vector<Afflicted>& families, const Afflicted& family) {
+  const auto is_told = [&](const Afflicted& each) { return each.family == family.family; };
+  if (std::none_of(families.begin(), families.end(), is_told)) families.push_back(family);
 }
 
 /// The finding that a group of occurrences is, in the order of the audits.
@@ -48,15 +52,15 @@ Finding finding(std::vector<Occurrence> group) {
   std::tie(made.routine, made.shape, made.verdict, made.claim) = group.front().kind();
   for (const Occurrence& each : group) {
     include(made.numbers, each.number());
-    made.wrong += each.audit->tally.of(made.verdict);
+    made.wrong += each.outcome->count;
     made.cases += each.audit->tally.cases;
   }
   std::stable_sort(group.begin(), group.end(),
                    [](const Occurrence& a, const Occurrence& b) { return a.share() > b.share(); });
-  for (const Occurrence& each : group) include(made.families, each.audit->family->id);
+  for (const Occurrence& each : group) include(made.families, each.afflicted());
   made.share = group.front().share();
-  made.subject = group.front().subject();
-  made.example = group.front().example();
+  made.subject = group.front().audit->subject;
+  made.example = *group.front().outcome->worst;
   return made;
 }
 

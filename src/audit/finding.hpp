@@ -7,17 +7,25 @@
 
 namespace rayaudit {
 
+/// A family that a finding occurs in, with its cases for the subject that it afflicts most.
+struct Afflicted {
+  std::string family;
+  std::uint64_t wrong = 0, cases = 1;
+
+  double share() const { return static_cast<double>(wrong) / static_cast<double>(cases); }
+};
+
 /// Wrong verdicts that have their routine, shape, verdict and claim in common.
 struct Finding {
   std::string routine;  ///< the subject's name up to its number
   std::size_t shape = 0;
   Verdict verdict = Verdict::right;
-  Claim claim = Claim::none;           ///< the one that the worst case makes
+  Claim claim = Claim::none;
   std::vector<std::string> numbers;    ///< float, double, ...: in which of them it occurs
-  std::vector<std::string> families;   ///< in which families, the most afflicted first
+  std::vector<Afflicted> families;     ///< the most afflicted first
   std::uint64_t wrong = 0, cases = 0;  ///< over all of those
   double share = 0;                    ///< wrong of all cases in the most afflicted family
-  std::string subject;                 ///< of the example
+  const Subject* subject = nullptr;    ///< of the example
   Worst example;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace rayaudit {
 namespace {
@@ -69,6 +70,30 @@ double Histogram::quantile(double p) const {
   return std::min(above, largest_);
 }
 
+std::uint64_t Tally::of(Claim claim) const {
+  std::uint64_t sum = 0;
+  for (const Outcome& each : outcomes)
+    if (each.claim == claim) sum += each.count;
+  return sum;
+}
+
+const Worst* Tally::worst(Verdict verdict) const {
+  const Worst* found = nullptr;
+  for (const Outcome& each : outcomes)
+    if (each.verdict == verdict && each.worst &&
+        (found == nullptr || is_worse(*each.worst, *found)))
+      found = &*each.worst;
+  return found;
+}
+
+Outcome& Tally::outcome(Verdict verdict, Claim claim) {
+  const auto place = std::find_if(outcomes.begin(), outcomes.end(), [&](const Outcome& each) {
+    return std::tie(each.verdict, each.claim) >= std::tie(verdict, claim);
+  });
+  if (place != outcomes.end() && place->verdict == verdict && place->claim == claim) return *place;
+  return *outcomes.insert(place, {verdict, claim});
+}
+
 std::uint64_t Tally::wrong() const {
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < verdict_count; ++i)
@@ -78,10 +103,8 @@ std::uint64_t Tally::wrong() const {
 
 void Tally::add(Settled& settled, const Answer& answer, const Judgement& judgement,
                 std::uint64_t place) {
-  const auto verdict = static_cast<std::size_t>(judgement.verdict);
   ++cases;
-  ++verdicts[verdict];
-  ++claims[static_cast<std::size_t>(judgement.claim)];
+  ++verdicts[static_cast<std::size_t>(judgement.verdict)];
   if (judgement.side != Side::unknown) ++sides[static_cast<std::size_t>(judgement.side)];
   if (judgement.touch) {
     TouchCount& seen = touches[static_cast<std::size_t>(*judgement.touch)];
@@ -92,7 +115,9 @@ void Tally::add(Settled& settled, const Answer& answer, const Judgement& judgeme
   ulps.add(judgement.ulps);
   forced.add(judgement.forced);
   distance.add(judgement.distance);
-  note(worst[verdict], severity(settled, judgement), place, settled, answer, judgement);
+  Outcome& here = outcome(judgement.verdict, judgement.claim);
+  ++here.count;
+  note(here.worst, severity(settled, judgement), place, settled, answer, judgement);
   if (!std::isnan(judgement.forced))
     note(worst_forced, judgement.forced, place, settled, answer, judgement);
 }
@@ -103,7 +128,6 @@ void Tally::merge(const Tally& other) {
   };
   cases += other.cases;
   add_all(verdicts, other.verdicts);
-  add_all(claims, other.claims);
   add_all(sides, other.sides);
   for (std::size_t i = 0; i < touches.size(); ++i) {
     touches[i].taken += other.touches[i].taken;
@@ -114,8 +138,11 @@ void Tally::merge(const Tally& other) {
   ulps.merge(other.ulps);
   forced.merge(other.forced);
   distance.merge(other.distance);
-  for (std::size_t i = 0; i < verdict_count; ++i)
-    if (other.worst[i]) keep_worse(worst[i], *other.worst[i]);
+  for (const Outcome& theirs : other.outcomes) {
+    Outcome& ours = outcome(theirs.verdict, theirs.claim);
+    ours.count += theirs.count;
+    if (theirs.worst) keep_worse(ours.worst, *theirs.worst);
+  }
   if (other.worst_forced) keep_worse(worst_forced, *other.worst_forced);
 }
 

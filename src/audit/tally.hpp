@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "audit/judge.hpp"
 
@@ -36,6 +37,15 @@ struct Worst {
   Judgement judgement = {};
 };
 
+/// The cases of one verdict that make one claim, and the worst of them: of hits that were measured
+/// the one with the most ulps; of false misses the best conditioned; of the rest the first.
+struct Outcome {
+  Verdict verdict;
+  Claim claim;
+  std::uint64_t count = 0;
+  std::optional<Worst> worst = {};
+};
+
 /// What became of the touches of one kind on offer.
 struct TouchCount {
   std::uint64_t taken = 0, passed = 0;
@@ -45,18 +55,20 @@ struct TouchCount {
 struct Tally {
   std::uint64_t cases = 0;
   std::array<std::uint64_t, verdict_count> verdicts = {};
-  std::array<std::uint64_t, claim_count> claims = {};
+  std::vector<Outcome> outcomes = {};  ///< those that occurred, by verdict, then claim
   std::array<std::uint64_t, side_count> sides = {};
   std::array<TouchCount, 7> touches = {};  ///< by oracle::Kind
   std::uint64_t by_interval = 0, by_exact = 0;
   Histogram ulps, forced, distance;
-  /// The worst of every verdict: of hits that were measured the one with the most ulps; of false
-  /// misses the best conditioned; of the rest the first.
-  std::array<std::optional<Worst>, verdict_count> worst = {};
   std::optional<Worst> worst_forced = {};
 
   std::uint64_t of(Verdict verdict) const { return verdicts[static_cast<std::size_t>(verdict)]; }
+  std::uint64_t of(Claim claim) const;
+  /// The worst case of a verdict, or null where there is none.
+  const Worst* worst(Verdict verdict) const;
   std::uint64_t wrong() const;
+  /// The outcome of a verdict and claim, made where it has not occurred.
+  Outcome& outcome(Verdict verdict, Claim claim);
   void add(Settled& settled, const Answer& answer, const Judgement& judgement, std::uint64_t place);
   void merge(const Tally& other);
 };

@@ -68,7 +68,7 @@ std::string line(const Audit& audit) {
   // Where none of N is wrong, the share of wrong is below 3/N with 95 % confidence.
   tally.wrong() == 0 ? row.add(3 / static_cast<double>(tally.cases)) : row.add_nothing();
   for (const std::uint64_t count : tally.verdicts) row.add(count);
-  for (std::size_t i = 1; i < claim_count; ++i) row.add(tally.claims[i]);
+  for (std::size_t i = 1; i < claim_count; ++i) row.add(tally.of(static_cast<Claim>(i)));
   for (std::size_t i = 1; i < kinds; ++i) {
     row.add(tally.touches[i].taken);
     row.add(tally.touches[i].passed);

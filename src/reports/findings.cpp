@@ -70,7 +70,7 @@ std::vector<Theme> themes(const std::vector<Audit>& audits) {
     const auto alike = std::find_if(all.begin(), all.end(), [&](const Theme& theme) {
       const Finding& first = theme.front();
       return first.verdict == finding.verdict && first.claim == finding.claim &&
-             first.families.front() == finding.families.front();
+             first.families.front().family == finding.families.front().family;
     });
     Theme& theme = alike == all.end() ? all.emplace_back() : *alike;
     theme.push_back(std::move(finding));
@@ -88,47 +88,26 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
-/// How much of a family is wrong in an audit.
-struct Affliction {
-  std::string_view family;
-  std::uint64_t wrong = 0, cases = 1;
-
-  bool exceeds(const Affliction& other) const {
-    return static_cast<double>(wrong) / static_cast<double>(cases) >
-           static_cast<double>(other.wrong) / static_cast<double>(other.cases);
-  }
-};
-
-bool shows(const Audit& audit, const Finding& finding) {
-  const std::string_view subject = audit.subject->name;
-  const auto& worst = audit.tally.worst[static_cast<std::size_t>(finding.verdict)];
-  return subject.substr(0, subject.rfind('/')) == finding.routine && audit.shape == finding.shape &&
-         worst && worst->judgement.claim == finding.claim;
-}
-
-/// Each family of a theme with the audit that it afflicts most; the most afflicted first.
-std::vector<Affliction> afflictions(const Run& run, const Theme& theme) {
-  std::vector<Affliction> all;
-  for (const Audit& audit : run.audits) {
-    if (std::none_of(theme.begin(), theme.end(),
-                     [&](const Finding& finding) { return shows(audit, finding); }))
-      continue;
-    const Affliction here = {audit.family->id, audit.tally.of(theme.front().verdict),
-                             audit.tally.cases};
-    const auto known = std::find_if(
-        all.begin(), all.end(), [&](const Affliction& each) { return each.family == here.family; });
-    if (known == all.end())
-      all.push_back(here);
-    else if (here.exceeds(*known))
-      *known = here;
-  }
+/// The families of a theme, each as the finding that it afflicts most has it; the worst first.
+std::vector<Afflicted> afflicted(const Theme& theme) {
+  std::vector<Afflicted> all;
+  for (const Finding& finding : theme)
+    for (const Afflicted& here : finding.families) {
+      const auto known = std::find_if(all.begin(), all.end(), [&](const Afflicted& each) {
+        return each.family == here.family;
+      });
+      if (known == all.end())
+        all.push_back(here);
+      else if (here.share() > known->share())
+        *known = here;
+    }
   std::stable_sort(all.begin(), all.end(),
-                   [](const Affliction& a, const Affliction& b) { return a.exceeds(b); });
+                   [](const Afflicted& a, const Afflicted& b) { return a.share() > b.share(); });
   return all;
 }
 
-std::string families(const Run& run, const Theme& theme) {
-  const std::vector<Affliction> all = afflictions(run, theme);
+std::string families(const Theme& theme) {
+  const std::vector<Afflicted> all = afflicted(theme);
   const std::size_t shown = std::min(families_shown, all.size());
   std::vector<std::string> told;
   for (std::size_t i = 0; i < shown; ++i)
@@ -154,11 +133,11 @@ std::string culprits(const Theme& theme) {
   return joined(told) + " in " + joined(numbers);
 }
 
-std::string paragraph(const Run& run, const Theme& theme, std::size_t rank, const Ink& ink) {
+std::string paragraph(const Theme& theme, std::size_t rank, const Ink& ink) {
   const Finding& worst = theme.front();
   return fmt::format("{:>3}. {}: {}{}\n", rank, ink.bad(figures::words(name(worst.verdict))),
                      sentence(worst.verdict), sentence(worst.claim)) +
-         wrapped(culprits(theme) + ": " + families(run, theme), 5) +
+         wrapped(culprits(theme) + ": " + families(theme), 5) +
          fmt::format("     rayaudit explain '{}'\n", case_line(worst.example.question));
 }
 
@@ -172,7 +151,7 @@ std::string write_findings(const Run& run, const Ink& ink, bool all) {
       ink.heading("Findings") +
       ", worst first: how much of which family the worst of them has wrong; each with "
       "a case to look into\n";
-  for (std::size_t i = 0; i < shown; ++i) text += '\n' + paragraph(run, found[i], i + 1, ink);
+  for (std::size_t i = 0; i < shown; ++i) text += '\n' + paragraph(found[i], i + 1, ink);
   if (shown < found.size())
     text +=
         fmt::format("\n{} more, less severe: --all-findings shows them.\n", found.size() - shown);

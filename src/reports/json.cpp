@@ -55,10 +55,19 @@ Json counts(const std::array<std::uint64_t, count>& of) {
   return told;
 }
 
+Json claims(const Tally& tally) {
+  Json told = Json::object();
+  for (std::size_t i = 1; i < claim_count; ++i)
+    if (const auto count = tally.of(nth<Claim>(i)); count > 0)
+      told[std::string(name(nth<Claim>(i)))] = count;
+  return told;
+}
+
 Json worst(const Tally& tally) {
   Json told = Json::object();
   for (std::size_t i = 0; i < verdict_count; ++i)
-    if (tally.worst[i]) told[std::string(name(nth<Verdict>(i)))] = line(*tally.worst[i]);
+    if (const Worst* worst = tally.worst(nth<Verdict>(i)); worst != nullptr)
+      told[std::string(name(nth<Verdict>(i)))] = line(*worst);
   if (tally.worst_forced) told["forced"] = line(*tally.worst_forced);
   return told;
 }
@@ -76,7 +85,7 @@ Json told(const Audit& audit) {
       tally.wrong() == 0 ? number(3 / static_cast<double>(tally.cases)) : Json(nullptr);
   for (std::size_t i = 0; i < verdict_count; ++i)
     told[std::string(name(nth<Verdict>(i)))] = tally.verdicts[i];
-  told["claims"] = counts<Claim>(tally.claims);
+  told["claims"] = claims(tally);
   told["touches"] = touches(tally);
   told["decided_by"] = {{"interval", tally.by_interval}, {"exact", tally.by_exact}};
   told["ulp"] = errors(tally.ulps);
@@ -87,12 +96,19 @@ Json told(const Audit& audit) {
   return told;
 }
 
+Json families(const Finding& finding) {
+  Json told = Json::array();
+  for (const auto& [family, wrong, cases] : finding.families)
+    told.push_back({{"family", family}, {"wrong", wrong}, {"cases", cases}});
+  return told;
+}
+
 Json told(const Finding& finding) {
   return {{"routine", finding.routine},       {"shape", shape_names[finding.shape]},
           {"verdict", name(finding.verdict)}, {"claim", name(finding.claim)},
-          {"numbers", finding.numbers},       {"families", finding.families},
+          {"numbers", finding.numbers},       {"families", families(finding)},
           {"wrong", finding.wrong},           {"cases", finding.cases},
-          {"share", finding.share},           {"subject", finding.subject},
+          {"share", finding.share},           {"subject", finding.subject->name},
           {"example", line(finding.example)}};
 }
 

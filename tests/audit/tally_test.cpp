@@ -51,10 +51,10 @@ BOOST_AUTO_TEST_CASE(zero_tiny_and_infinite_values_have_their_quantiles) {
 }
 
 BOOST_AUTO_TEST_CASE(verdicts_claims_touches_and_sides_are_counted) {
-  const Tally tally = tallied({through + "hit 2", through + "hit 4", through + "miss",
-                               "sphere 0 0 0 1 ray 0 1 -3 0 0 1 hit 3",
-                               "sphere 0 0 0 1 ray 0 1 -3 0 0 1 miss"},
-                              0);
+  const Tally tally =
+      tallied({through + "hit 2", through + "hit 4", through + "miss",
+               "sphere 0 0 0 1 ray 0 1 -3 0 0 1 hit 3", "sphere 0 0 0 1 ray 0 1 -3 0 0 1 miss"},
+              0);
   BOOST_TEST(tally.cases == 5U);
   BOOST_TEST(tally.of(Verdict::right) == 1U);
   BOOST_TEST(tally.of(Verdict::wrong_root) == 1U);
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(verdicts_claims_touches_and_sides_are_counted) {
   BOOST_TEST(tally.wrong() == 2U);
   const TouchCount& tangent = tally.touches[static_cast<std::size_t>(oracle::Kind::tangent)];
   BOOST_TEST((tangent.taken == 1 && tangent.passed == 1));
-  BOOST_TEST(tally.claims[static_cast<std::size_t>(Claim::later)] == 1U);
+  BOOST_TEST(tally.of(Claim::later) == 1U);
   BOOST_TEST(tally.sides[static_cast<std::size_t>(Side::on)] == 2U);
   BOOST_TEST(tally.by_interval == 5U);
 }
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(the_worst_case_of_each_verdict_is_kept_whole) {
   const Tally tally = tallied({through + "hit 2", through + "hit 0x1.0000000000005p+1",
                                through + "hit 0x1.0000000000003p+1"},
                               7);
-  const Worst& worst = *tally.worst[static_cast<std::size_t>(Verdict::right)];
+  const Worst& worst = *tally.worst(Verdict::right);
   BOOST_TEST(worst.place == 8U);
   BOOST_TEST(worst.judgement.ulps == 5);
   BOOST_TEST((worst.question == read_case_line(through).question));
@@ -82,7 +82,19 @@ BOOST_AUTO_TEST_CASE(the_worst_false_miss_is_the_best_conditioned_one) {
   const Tally tally = tallied({"sphere 0 0 0 1 ray 0 0x1.ffffp-1 -3 0 0 1 miss", through + "miss",
                                "sphere 0 0 0 1 ray 0 0.9 -3 0 0 1 miss"},
                               0);
-  BOOST_TEST(tally.worst[static_cast<std::size_t>(Verdict::false_miss)]->place == 1U);
+  BOOST_TEST(tally.worst(Verdict::false_miss)->place == 1U);
+}
+
+BOOST_AUTO_TEST_CASE(claims_of_one_verdict_are_kept_apart) {
+  const Tally tally =
+      tallied({"sphere 0 0 0 1 ray 0 2 -3 0 0 1 hit 3", through + "hit 4",
+               "sphere 0 0 0 1 ray 0 0 3 0 0 1 hit -2", "sphere 0 0 0 1 ray 0 0 3 0 0 1 hit -4"},
+              0);
+  BOOST_REQUIRE(tally.outcomes.size() == 3);
+  BOOST_TEST((tally.outcomes[0].claim == Claim::no_root && tally.outcomes[0].count == 1));
+  BOOST_TEST((tally.outcomes[1].claim == Claim::behind && tally.outcomes[1].count == 2));
+  BOOST_TEST((tally.outcomes[2].verdict == Verdict::wrong_root));
+  BOOST_TEST(tally.outcomes[1].worst->place == 2U);
 }
 
 BOOST_AUTO_TEST_CASE(tallies_merge_alike_in_any_order) {
@@ -94,7 +106,7 @@ BOOST_AUTO_TEST_CASE(tallies_merge_alike_in_any_order) {
   cba.merge(b), cba.merge(a);
   for (const Tally& tally : {abc, cba}) {
     BOOST_TEST(tally.cases == 5U);
-    BOOST_TEST(tally.worst[static_cast<std::size_t>(Verdict::right)]->place == 1U);
+    BOOST_TEST(tally.worst(Verdict::right)->place == 1U);
     BOOST_TEST(tally.ulps.quantile(0.99) == 5);
     BOOST_TEST(tally.wrong() == 2U);
   }

@@ -56,13 +56,13 @@ inline Case known_case(double x) {
 inline void turn(Tally& tally, Verdict verdict, Claim claim, std::uint64_t count, double x = 0) {
   tally.verdicts[0] -= count;
   tally.verdicts[static_cast<std::size_t>(verdict)] += count;
-  tally.claims[static_cast<std::size_t>(claim)] += count;
   const bool invalid =
       verdict == Verdict::invalid_handled || verdict == Verdict::invalid_mishandled;
   if (invalid) tally.by_interval -= count;
   const Judgement judgement = {.verdict = verdict, .claim = claim};
-  tally.worst[static_cast<std::size_t>(verdict)] =
-      Worst{0, 0, known_case(x), Answer::hit(real(4.5)), judgement};
+  Outcome& outcome = tally.outcome(verdict, claim);
+  outcome.count += count;
+  outcome.worst = Worst{0, 0, known_case(x), Answer::hit(real(4.5)), judgement};
 }
 
 }  // namespace rayaudit

@@ -1,0 +1,371 @@
+#define BOOST_TEST_MODULE audit
+#include "audit/audit.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "geometry/case_line.hpp"
+#include "geometry/error.hpp"
+
+using namespace rayaudit;
+
+namespace {
+
+constexpr std::size_t disk = 0, sphere = 1, cylinder = 2, cone = 3;
+
+const Subject* subject_of(std::string_view name) {
+  for (const Subject& subject : built_in_subjects())
+    if (subject.name == name) return &subject;
+  throw Error("no subject " + std::string(name));
+}
+
+const Family* family_of(std::string_view id) {
+  for (const Family& family : families())
+    if (family.id == id) return &family;
+  throw Error("no family " + std::string(id));
+}
+
+Tally told(std::string_view subject, std::size_t shape, std::string_view family,
+           std::uint64_t cases = 20'000) {
+  const std::vector<Audit> audits = run({.subjects = {subject_of(subject)},
+                                         .families = {family_of(family)},
+                                         .shapes = {shape},
+                                         .cases = cases,
+                                         .seed = 1});
+  BOOST_REQUIRE(audits.size() == 1u);
+  return audits[0].tally;
+}
+
+/// Every subject, shape and family.
+Plan whole(std::uint64_t cases) {
+  Plan plan;
+  plan.shapes = {disk, sphere, cylinder, cone};
+  plan.cases = cases;
+  plan.seed = 7;
+  for (const Subject& subject : built_in_subjects()) plan.subjects.push_back(&subject);
+  for (const Family& family : families()) plan.families.push_back(&family);
+  return plan;
+}
+
+/// A few subjects of every format on families of every strength.
+Plan part(std::uint64_t cases) {
+  return {.subjects = {subject_of("handout/float"), subject_of("textbook/float"),
+                       subject_of("stable_quadratic/double"), subject_of("textbook/long_double")},
+          .families = {family_of("anywhere"), family_of("tangent"), family_of("grazing"),
+                       family_of("invalid")},
+          .shapes = {disk, sphere, cone},
+          .cases = cases,
+          .seed = 7};
+}
+
+/// A double by its bits, so that NaN is like itself.
+std::string shown(double x) {
+  std::string words;
+  write(words, x);
+  return words;
+}
+
+std::string shown(const Worst& worst) {
+  std::string line = case_line(worst.question) + ' ';
+  write(line, worst.answer);
+  const Judgement& judgement = worst.judgement;
+  for (const double x :
+       {worst.severity, judgement.ulps, judgement.relative, judgement.forced, judgement.distance})
+    line += ' ' + shown(x);
+  line += ' ' + std::to_string(worst.place) + ' ' + std::string(name(judgement.verdict)) + ' ' +
+          std::string(name(judgement.claim)) + ' ' + std::string(name(judgement.side)) + ' ' +
+          std::to_string(judgement.crossing);
+  return line;
+}
+
+std::string shown(const Histogram& histogram) {
+  std::string line = std::to_string(histogram.count()) + " to " + shown(histogram.largest());
+  for (int i = 0; i <= 64; ++i) line += ' ' + shown(histogram.quantile(i / 64.0));
+  return line;
+}
+
+/// All that a tally holds, on lines that differ where tallies do.
+std::string shown(const Tally& tally) {
+  std::string lines = std::to_string(tally.cases) + " by " + std::to_string(tally.by_interval) +
+                      ' ' + std::to_string(tally.by_exact);
+  const auto add = [&](const auto& counts) {
+    lines += '\n';
+    for (const std::uint64_t count : counts) lines += ' ' + std::to_string(count);
+  };
+  add(tally.verdicts), add(tally.sides);
+  for (const TouchCount& touch : tally.touches)
+    lines += '\n' + std::to_string(touch.taken) + ' ' + std::to_string(touch.passed);
+  for (const Histogram* histogram : {&tally.ulps, &tally.forced, &tally.distance})
+    lines += '\n' + shown(*histogram);
+  for (const Outcome& outcome : tally.outcomes)
+    lines += '\n' + std::string(name(outcome.verdict)) + ' ' + std::string(name(outcome.claim)) +
+             ' ' + std::to_string(outcome.count) + ' ' + shown(outcome.worst.value());
+  return lines + '\n' + (tally.worst_forced ? shown(*tally.worst_forced) : "");
+}
+
+std::string title(const Audit& audit) {
+  return audit.subject->name + ' ' + std::string(shape_names[audit.shape]) + ' ' +
+         std::string(audit.family->id);
+}
+
+void require_same(const std::vector<Audit>& some, const std::vector<Audit>& others) {
+  BOOST_REQUIRE(some.size() == others.size());
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    BOOST_TEST(title(some[i]) == title(others[i]));
+    BOOST_TEST(shown(some[i].tally) == shown(others[i].tally), title(some[i]));
+  }
+}
+
+std::uint64_t total(const Tally& tally) {
+  std::uint64_t sum = 0;
+  for (const std::uint64_t count : tally.verdicts) sum += count;
+  return sum;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_tallies_are_the_same_for_any_number_of_threads) {
+  for (const std::uint64_t cases : {1u, 127u, 1024u, 5003u}) {
+    Plan plan = part(cases);
+    plan.threads = 1;
+    const std::vector<Audit> alone = run(plan);
+    for (const int threads : {2, 3, 0}) {
+      plan.threads = threads;
+      require_same(alone, run(plan));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(every_case_is_judged_once) {
+  for (const std::uint64_t cases : {1u, 129u, 1023u, 1025u, 3000u})
+    for (const Audit& audit : run(part(cases))) {
+      BOOST_TEST(audit.tally.cases == cases, title(audit));
+      BOOST_TEST(total(audit.tally) == cases, title(audit));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(every_case_is_decided_or_invalid) {
+  for (const Audit& audit : run(whole(600))) {
+    const Tally& tally = audit.tally;
+    const std::uint64_t invalid =
+        tally.of(Verdict::invalid_handled) + tally.of(Verdict::invalid_mishandled);
+    BOOST_TEST(tally.by_interval + tally.by_exact + invalid == tally.cases, title(audit));
+    BOOST_TEST((invalid == tally.cases) == (audit.family->id == "invalid"), title(audit));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_audit_does_not_depend_on_what_is_audited_beside_it) {
+  const Plan plan = part(1500);
+  for (const Audit& audit : run(plan)) {
+    Plan alone = plan;
+    alone.subjects = {audit.subject}, alone.families = {audit.family};
+    alone.shapes = {audit.shape};
+    const std::vector<Audit> single = run(alone);
+    BOOST_REQUIRE(single.size() == 1u);
+    const Tally &together = audit.tally, &apart = single[0].tally;
+    BOOST_TEST(together.verdicts == apart.verdicts, title(audit));
+    BOOST_TEST(together.by_interval == apart.by_interval, title(audit));
+    BOOST_TEST(shown(together.ulps) == shown(apart.ulps), title(audit));
+  }
+}
+
+namespace {
+
+/// A subject that notes the cases it is shown, and says miss.
+Subject noting(std::vector<Case>& seen, const Format& format) {
+  Subject subject{"noting/" + std::string(format.name), format, {}};
+  subject.answer[sphere] = [&seen](std::span<const Case> cases, std::span<Answer> answers) {
+    seen.insert(seen.end(), cases.begin(), cases.end());
+    for (Answer& answer : answers) answer = Answer::miss();
+  };
+  return subject;
+}
+
+std::vector<Case> shown_to(const Format& format, std::uint64_t cases, std::uint64_t seed = 5) {
+  std::vector<Case> seen;
+  const Subject subject = noting(seen, format);
+  run({.subjects = {&subject},
+       .families = {family_of("grazing")},
+       .shapes = {sphere},
+       .cases = cases,
+       .seed = seed,
+       .threads = 1});
+  return seen;
+}
+
+bool holds_floats(Case question) {
+  bool all = true;
+  each_number(question, [&](double x) { all = all && double{static_cast<float>(x)} == x; });
+  return all;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_first_cases_of_a_longer_run_are_those_of_a_shorter) {
+  const std::vector<Case> longer = shown_to(double_format, 2500);
+  const std::vector<Case> shorter = shown_to(double_format, 1300);
+  BOOST_REQUIRE(longer.size() == 2500u);
+  BOOST_REQUIRE(shorter.size() == 1300u);
+  BOOST_TEST(std::equal(shorter.begin(), shorter.end(), longer.begin()));
+}
+
+BOOST_AUTO_TEST_CASE(another_seed_gives_other_cases) {
+  BOOST_TEST((shown_to(double_format, 10, 5) != shown_to(double_format, 10, 6)));
+  BOOST_TEST((shown_to(double_format, 10, 5) == shown_to(double_format, 10, 5)));
+}
+
+BOOST_AUTO_TEST_CASE(every_subject_is_shown_cases_of_its_own_format) {
+  for (const Case& question : shown_to(float_format, 1500))
+    if (!holds_floats(question)) BOOST_ERROR(case_line(question));
+  for (const Format& format : {double_format, long_double_format}) {
+    const std::vector<Case> seen = shown_to(format, 1500);
+    const auto of_floats = std::count_if(seen.begin(), seen.end(), holds_floats);
+    BOOST_TEST(of_floats < 15, format.name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(subjects_of_one_format_are_shown_the_same_cases) {
+  std::vector<Case> one, other, floats;
+  const Subject a = noting(one, double_format), b = noting(other, long_double_format),
+                c = noting(floats, float_format);
+  run({.subjects = {&a, &b, &c},
+       .families = {family_of("anywhere")},
+       .shapes = {sphere},
+       .cases = 1100,
+       .threads = 1});
+  BOOST_TEST((one == other));
+  BOOST_TEST((one != floats));
+}
+
+BOOST_AUTO_TEST_CASE(audits_are_planned_by_subject_then_shape_then_family) {
+  const Plan plan = whole(1);
+  const std::vector<Audit> audits = planned(plan);
+  const auto place = [](const auto& list, const auto& item) {
+    return std::find(list.begin(), list.end(), item) - list.begin();
+  };
+  const auto key = [&](const Audit& audit) {
+    return std::array{place(plan.subjects, audit.subject), place(plan.shapes, audit.shape),
+                      place(plan.families, audit.family)};
+  };
+  std::size_t fitting = 0;
+  for (const Subject* subject : plan.subjects)
+    for (const std::size_t shape : plan.shapes)
+      for (const Family* family : plan.families)
+        fitting += subject->answers(shape) && family->draw[shape] != nullptr ? 1 : 0;
+  BOOST_TEST(audits.size() == fitting);
+  for (std::size_t i = 1; i < audits.size(); ++i)
+    BOOST_TEST((key(audits[i - 1]) < key(audits[i])), title(audits[i]));
+  for (const Audit& audit : audits) {
+    BOOST_TEST(audit.subject->answers(audit.shape));
+    BOOST_TEST(audit.family->draw[audit.shape] != nullptr);
+    BOOST_TEST(audit.tally.cases == 0u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_planned_where_nothing_fits) {
+  const Plan apex_of_a_sphere = {.subjects = {subject_of("textbook/double")},
+                                 .families = {family_of("apex")},
+                                 .shapes = {sphere},
+                                 .cases = 10};
+  BOOST_TEST(planned(apex_of_a_sphere).empty());
+  BOOST_TEST(run(apex_of_a_sphere).empty());
+  const Plan a_shape_not_answered = {.subjects = {subject_of("division_free/double")},
+                                     .families = {family_of("anywhere")},
+                                     .shapes = {sphere},
+                                     .cases = 10};
+  BOOST_TEST(planned(a_shape_not_answered).empty());
+  BOOST_TEST(planned({}).empty());
+}
+
+BOOST_AUTO_TEST_CASE(progress_never_falls_behind_and_ends_at_all) {
+  for (const int threads : {1, 2, 3}) {
+    Plan plan = part(2500);
+    plan.threads = threads;
+    const std::uint64_t all = planned(plan).size() * plan.cases;
+    std::uint64_t most = 0, times = 0;
+    run(plan, [&](Progress progress) {
+      BOOST_TEST(progress.all == all);
+      BOOST_TEST(progress.done <= all);
+      BOOST_TEST(progress.done > 0u);
+      most = std::max(most, progress.done);
+      ++times;
+    });
+    BOOST_TEST(times > 1u);
+    // What two threads have to tell at once is told by one of them.
+    if (threads == 1) BOOST_TEST(most == all);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_convention_reaches_the_judge) {
+  Plan plan = part(1000);
+  plan.families = {family_of("tangent")}, plan.shapes = {sphere};
+  std::uint64_t open = 0, refused = 0;
+  for (const Audit& audit : run(plan)) open += audit.tally.of(Verdict::touch);
+  plan.convention.of(oracle::Kind::tangent) = Convention::Stance::miss;
+  for (const Audit& audit : run(plan)) {
+    BOOST_TEST(audit.tally.of(Verdict::touch) == 0u);
+    refused += audit.tally.of(Claim::declined);
+  }
+  BOOST_TEST(open == plan.subjects.size() * plan.cases);
+  BOOST_TEST(refused > 0u);
+}
+
+BOOST_AUTO_TEST_CASE(a_difficulty_reaches_the_family) {
+  Plan plan = part(1000);
+  plan.subjects = {subject_of("textbook/float")}, plan.families = {family_of("far")};
+  plan.shapes = {sphere};
+  plan.difficulty = family_of("far")->difficulty->least;
+  const std::uint64_t easy = run(plan)[0].tally.wrong();
+  plan.difficulty = family_of("far")->difficulty->most_float;
+  BOOST_TEST(run(plan)[0].tally.wrong() > easy + 100);
+}
+
+BOOST_AUTO_TEST_CASE(the_handout_takes_parallel_rays_for_hits_on_the_disk) {
+  for (const auto name : {"handout/float", "handout/double"}) {
+    const Tally tally = told(name, disk, "parallel");
+    BOOST_TEST(tally.of(Verdict::false_hit) > tally.cases / 4);
+    BOOST_TEST(tally.of(Verdict::right) + tally.of(Verdict::false_hit) == tally.cases);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_handout_loses_hits_on_the_sphere_and_reports_misses_as_its_centre) {
+  for (const auto name : {"handout/float", "handout/double"}) {
+    const Tally tally = told(name, sphere, "anywhere");
+    BOOST_TEST(tally.of(Verdict::false_miss) > tally.cases / 20);
+    BOOST_TEST(tally.of(Verdict::false_hit) > tally.cases / 20);
+    const Worst* worst = tally.worst(Verdict::false_hit);
+    BOOST_REQUIRE(worst != nullptr);
+    const auto& centre = std::get<Sphere<double>>(worst->question.shape).centre;
+    BOOST_TEST((worst->answer.point == Vec3<Real>{real(centre.x), real(centre.y), real(centre.z)}));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_textbook_in_float_goes_wrong_at_a_distance) {
+  for (const std::size_t shape : {sphere, cylinder, cone}) {
+    const Tally tally = told("textbook/float", shape, "far");
+    BOOST_TEST(tally.wrong() > tally.cases / 10, shape_names[shape]);
+    BOOST_TEST(told("textbook/double", shape, "anywhere").wrong() == 0u, shape_names[shape]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(sound_routines_in_double_are_never_wrong_anywhere) {
+  for (const auto name : {"closest_approach/double", "stable_quadratic/double"})
+    for (const std::size_t shape : {sphere, cylinder, cone}) {
+      const Tally tally = told(name, shape, "anywhere");
+      for (const Outcome& outcome : tally.outcomes)
+        if (is_wrong(outcome.verdict))
+          BOOST_ERROR(name << ": " << case_line(outcome.worst->question));
+      BOOST_TEST(tally.of(Verdict::right) > tally.cases * 99 / 100);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_tally_does_not_grow_with_its_cases) {
+  static_assert(std::is_trivially_copyable_v<Histogram>);
+  static_assert(std::is_trivially_copyable_v<Outcome>);
+  for (const Audit& audit : run(part(4000)))
+    BOOST_TEST(audit.tally.outcomes.size() <= 2 * claim_count, title(audit));
+}
