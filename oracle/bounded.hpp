@@ -41,11 +41,13 @@ inline constexpr double upward = 1 + 0x1p-48;
   const double t = s - a;
   return {s, (a - (s - t)) + (b - t), 0};
 }
-/// Does the compiler know, once all is inlined, that x is 0? So it is for the low word and the error
-/// of a number of the case, which spares most of the work.
+/// Does the compiler know, once all is inlined, that x is 0? So it is for the low word and the
+/// error of a number of the case, which spares most of the work.
 [[gnu::always_inline]] inline bool is_known_zero(double x) {
   return __builtin_constant_p(x) && x == 0;
 }
+/// 0, or NaN where the low word tells that the high one overflowed.
+[[gnu::always_inline]] inline double nan_if_overflown(double low) { return low * 0; }
 /// a + b exactly, where |a| >= |b| or a = 0.
 [[gnu::always_inline]] inline Bounded fast_two_sum(double a, double b) {
   const double s = a + b;
@@ -61,7 +63,7 @@ inline constexpr double upward = 1 + 0x1p-48;
   const Bounded s = double_word::two_sum(a.high, b.high);
   if (double_word::is_known_zero(a.low) && double_word::is_known_zero(b.low) &&
       double_word::is_known_zero(a.error) && double_word::is_known_zero(b.error))
-    return s;
+    return {s.high, s.low, double_word::nan_if_overflown(s.low)};
   const Bounded t = double_word::two_sum(a.low, b.low);
   const Bounded v = double_word::fast_two_sum(s.high, s.low + t.high);
   const Bounded z = double_word::fast_two_sum(v.high, t.low + v.low);
@@ -78,7 +80,7 @@ inline constexpr double upward = 1 + 0x1p-48;
   const double low = __builtin_fma(a.high, b.high, -high);
   if (double_word::is_known_zero(a.low) && double_word::is_known_zero(b.low) &&
       double_word::is_known_zero(a.error) && double_word::is_known_zero(b.error))
-    return {high, low, double_word::underflow};
+    return {high, low, double_word::underflow + double_word::nan_if_overflown(low)};
   const double mixed = __builtin_fma(a.high, b.low, __builtin_fma(a.low, b.high, a.low * b.low));
   const Bounded z = double_word::fast_two_sum(high, low + mixed);
   const double error = std::fabs(a.high) * b.error + std::fabs(b.high) * a.error +
@@ -98,8 +100,9 @@ inline constexpr double upward = 1 + 0x1p-48;
   const double error = (a.error + std::fabs(z.high) * b.error) / divisor +
                        std::fabs(z.high) * double_word::quotient_error;
   return {z.high, z.low,
-          divisor > 0 ? error * double_word::upward + double_word::underflow / (divisor < 1 ? divisor : 1)
-                      : std::numeric_limits<double>::infinity()};
+          divisor > 0
+              ? error * double_word::upward + double_word::underflow / (divisor < 1 ? divisor : 1)
+              : std::numeric_limits<double>::infinity()};
 }
 
 /// The square root; an infinite error where a may be 0 or less, or so small that its rest

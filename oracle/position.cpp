@@ -92,11 +92,22 @@ Position exact_position(const Shape& shape, const Vec3<Real>& point) {
 
 bool usable(double x) { return std::isfinite(x) && x > 0x1p-900; }
 
-/// Sum |x_j dF/dx_j| over the numbers of a case at t, and dF/dt: t moves by their ratio.
+/// Sum |x_j dF/dx_j| over the numbers of a case at t, and dF/dt: t moves by their ratio. dF/dt
+/// vanishes towards a double root, where a sum of slopes would cancel; so it is that of F(o + t d).
 template <class V>
 struct Motion {
-  V by_inputs = V(0), by_t = V(0);
+  typename SlopeOf<V>::type by_inputs = typename SlopeOf<V>::type(0);
+  V by_t = V(0);
 };
+
+template <class V>
+[[gnu::always_inline]] inline V slope(const Polynomial<V, 1>& f, const V&) {
+  return f.c[1];
+}
+template <class V>
+[[gnu::always_inline]] inline V slope(const Polynomial<V, 2>& f, const V& t) {
+  return f.c[1] + twice(V(f.c[2] * t));
+}
 
 template <class V>
 [[gnu::always_inline]] inline V size(const V& x) {
@@ -111,12 +122,12 @@ template <class V, template <class> class S>
   const auto& [o, d] = std::tie(ray.origin, ray.direction);
   const Vec3<V> p = {V(o.x) + t * V(d.x), V(o.y) + t * V(d.y), V(o.z) + t * V(d.z)};
   const auto& by = field_at<V, n>(shape, p).by;
-  Motion<Slope> sum;
+  Motion<V> sum;
+  sum.by_t = slope(along_ray<V>(ray, shape).field, t);
   const Slope lead = leading(t);
-  const auto along = [&](double origin, double direction, const Slope& slope) {
-    const Slope turned = Slope(direction) * slope;
-    sum.by_t = sum.by_t + turned;
-    sum.by_inputs = sum.by_inputs + size(Slope(origin) * slope) + size(lead * turned);
+  const auto along = [&](double origin, double direction, const Slope& by_point) {
+    sum.by_inputs =
+        sum.by_inputs + size(Slope(origin) * by_point) + size(lead * Slope(direction) * by_point);
   };
   along(o.x, d.x, by[0]), along(o.y, d.y, by[1]), along(o.z, d.z, by[2]);
   std::size_t next = 3;
@@ -131,12 +142,26 @@ template <class V, template <class> class S>
   return sum;
 }
 
+/// The sign of F on both sides of a double root; 0 where the field has none along the ray.
+int sign_about_double_root(const Polynomial<Exact, 1>&) { return 0; }
+int sign_about_double_root(const Polynomial<Exact, 2>& f) {
+  const auto& [c, b, a] = f.c;
+  return (b * b - twice(twice(Exact(a * c)))).sign() == 0 ? a.sign() : 0;
+}
+
+constexpr Sensitivity at_double_root(int sign) {
+  return {{std::numeric_limits<double>::infinity(), 0, 0, 0}, sign};
+}
+
 Sensitivity exact_sensitivity(const Case& question, const Real& t) {
-  const auto sum = std::visit(
-      [&](const auto& shape) { return motion<Exact>(question.ray, shape, in_number<Exact>(t)); },
+  return std::visit(
+      [&](const auto& shape) -> Sensitivity {
+        const auto field = along_ray<Exact>(question.ray, shape).field;
+        if (const int sign = sign_about_double_root(field); sign != 0) return at_double_root(sign);
+        const Motion<Exact> sum = motion<Exact>(question.ray, shape, in_number<Exact>(t));
+        return {value(Radical{.p = sum.by_inputs, .q = size(sum.by_t)}, 60), -sum.by_t.sign()};
+      },
       question.shape);
-  if (sum.by_t.sign() == 0) return {{std::numeric_limits<double>::infinity(), 0, 0, 0}, 1};
-  return {value(Radical{.p = sum.by_inputs, .q = size(sum.by_t)}, 60), -sum.by_t.sign()};
 }
 
 }  // namespace
@@ -149,7 +174,7 @@ Position position(const Shape& shape, const Vec3<Real>& point) {
         shape, [&](const auto& s) __attribute__((always_inline)) {
           const Dual<Bounded, 3> f = field_at<Bounded, 3>(s, in_number<Bounded>(point));
           const double g = f.by[0] * f.by[0] + f.by[1] * f.by[1] + f.by[2] * f.by[2];
-          if (usable(g)) sign = proved_sign(f.value);
+          if (usable(g) && known_to(f.value, 0x1p-34)) sign = proved_sign(f.value);
           distance = std::fabs(f.value.high) / std::sqrt(g);
         });
   });
@@ -158,20 +183,20 @@ Position position(const Shape& shape, const Vec3<Real>& point) {
 }
 
 Sensitivity sensitivity(const Case& question, const Crossing& crossing) {
-  // At a double root of F, t has no derivative; the surfaces there lie in F >= 0.
-  const bool twofold = crossing.kind == Kind::tangent || crossing.kind == Kind::apex;
-  if (twofold) return {{std::numeric_limits<double>::infinity(), 0, 0, 0}, 1};
+  // There t has no derivative, and the line lies in F >= 0.
+  if (crossing.kind == Kind::tangent || crossing.kind == Kind::apex) return at_double_root(1);
   if (!is_moderate(question)) return exact_sensitivity(question, crossing.t);
-  Motion<double> sum;
+  Motion<Bounded> sum;
   run_fused([&]() __attribute__((always_inline)) {
     with_shape(
         question.shape, [&](const auto& shape) __attribute__((always_inline)) {
           sum = motion<Bounded>(question.ray, shape, in_number<Bounded>(crossing.t));
         });
   });
-  const double forced = sum.by_inputs / std::fabs(sum.by_t);
-  if (!usable(forced)) return exact_sensitivity(question, crossing.t);
-  return {{forced, 0, 0, 0}, sum.by_t > 0 ? -1 : 1};
+  const double forced = sum.by_inputs / std::fabs(sum.by_t.high);
+  if (!usable(forced) || !known_to(sum.by_t, 0x1p-34))
+    return exact_sensitivity(question, crossing.t);
+  return {{forced, 0, 0, 0}, -proved_sign(sum.by_t)};
 }
 
 Real projection(const Ray<double>& ray, const Vec3<Real>& point, int bits) {

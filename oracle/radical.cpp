@@ -135,7 +135,10 @@ N rounded(const Digits& digits) {
   const mpz_class half = mpz_class(1) << (shift - 1);
   const int beside = cmp(cut, half);
   if (beside > 0 || (beside == 0 && (!digits.exact || mpz_odd_p(kept.get_mpz_t()) != 0))) ++kept;
-  const N size = std::ldexp(static_cast<N>(kept.get_ui()), static_cast<int>(spacing));
+  const bool carried = mpz_sizeinbase(kept.get_mpz_t(), 2) > std::size_t{format.precision};
+  if (carried) kept >>= 1;
+  const N size =
+      std::ldexp(static_cast<N>(kept.get_ui()), static_cast<int>(spacing) + (carried ? 1 : 0));
   return digits.sign < 0 ? -size : size;
 }
 

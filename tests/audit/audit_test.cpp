@@ -169,7 +169,9 @@ BOOST_AUTO_TEST_CASE(an_audit_does_not_depend_on_what_is_audited_beside_it) {
     const Tally &together = audit.tally, &apart = single[0].tally;
     BOOST_TEST(together.verdicts == apart.verdicts, title(audit));
     BOOST_TEST(together.by_interval == apart.by_interval, title(audit));
-    BOOST_TEST(shown(together.ulps) == shown(apart.ulps), title(audit));
+    // Of t itself no more is known than 2^-10 ulp.
+    BOOST_TEST(std::fabs(together.ulps.largest() - apart.ulps.largest()) <= 0x1p-9, title(audit));
+    BOOST_TEST(together.ulps.count() == apart.ulps.count(), title(audit));
   }
 }
 
@@ -327,20 +329,40 @@ BOOST_AUTO_TEST_CASE(a_difficulty_reaches_the_family) {
 BOOST_AUTO_TEST_CASE(the_handout_takes_parallel_rays_for_hits_on_the_disk) {
   for (const auto name : {"handout/float", "handout/double"}) {
     const Tally tally = told(name, disk, "parallel");
-    BOOST_TEST(tally.of(Verdict::false_hit) > tally.cases / 4);
+    BOOST_TEST(tally.of(Verdict::false_hit) > tally.cases / 50);
     BOOST_TEST(tally.of(Verdict::right) + tally.of(Verdict::false_hit) == tally.cases);
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_handout_loses_hits_on_the_sphere_and_reports_misses_as_its_centre) {
+namespace {
+
+/// Is the point of an answer the centre of its sphere?
+bool claims_the_centre(const Worst& worst) {
+  const auto& centre = std::get<Sphere<double>>(worst.question.shape).centre;
+  return worst.answer.point == Vec3<Real>{real(centre.x), real(centre.y), real(centre.z)};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_handout_reports_misses_of_the_sphere_as_its_centre) {
   for (const auto name : {"handout/float", "handout/double"}) {
     const Tally tally = told(name, sphere, "anywhere");
-    BOOST_TEST(tally.of(Verdict::false_miss) > tally.cases / 20);
-    BOOST_TEST(tally.of(Verdict::false_hit) > tally.cases / 20);
-    const Worst* worst = tally.worst(Verdict::false_hit);
-    BOOST_REQUIRE(worst != nullptr);
-    const auto& centre = std::get<Sphere<double>>(worst->question.shape).centre;
-    BOOST_TEST((worst->answer.point == Vec3<Real>{real(centre.x), real(centre.y), real(centre.z)}));
+    BOOST_TEST(tally.of(Verdict::false_hit) > tally.cases / 3);
+    BOOST_REQUIRE(tally.worst(Verdict::false_hit) != nullptr);
+    BOOST_TEST(claims_the_centre(*tally.worst(Verdict::false_hit)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_handout_loses_hits_on_the_sphere) {
+  for (const auto name : {"handout/float", "handout/double"}) {
+    // A lost hit comes back as the centre; only at the world origin is that a miss.
+    const Tally elsewhere = told(name, sphere, "anywhere");
+    BOOST_TEST(elsewhere.of(Verdict::right) < elsewhere.cases / 20);
+    BOOST_TEST(elsewhere.of(Verdict::wrong_t) > elsewhere.cases / 3);
+    for (const auto family : {"axis", "lattice"}) {
+      const Tally tally = told(name, sphere, family);
+      BOOST_TEST(tally.of(Verdict::false_miss) > tally.cases / 20, family);
+    }
   }
 }
 

@@ -187,6 +187,7 @@ BOOST_AUTO_TEST_CASE(a_case_line_comes_back_as_it_was) {
       {{{1, -0.0, 0.1}, {0x1p-1074, 1e300, -3}}, Disk<double>{{1, 2, 3}, {-4, 0, 0.3}, 7}},
       {{{0, 0, 5}, {0, 0, -1}, 0.25, 8}, Sphere<double>{{0, 0, 0}, 1}},
       {{{0, 0, 5}, {0, 0, -1}, -infinity, 0}, Cylinder<double>{{0, 0, 0}, {0, 1, 0}, 1}},
+      {{{0, 0, 5}, {0, 0, -1}, -0.0, infinity}, Sphere<double>{{0, 0, 0}, 1}},
       {{{0, 0, 5}, {0, 0, -1}, 0, infinity}, Cone<double>{{0, 0, 0}, {0, 1, 0}, infinity}},
   };
   for (const Case& question : cases) {
@@ -197,7 +198,8 @@ BOOST_AUTO_TEST_CASE(a_case_line_comes_back_as_it_was) {
   BOOST_TEST(case_line(cases[1]) ==
              "sphere 0x0p+0 0x0p+0 0x0p+0 0x1p+0 ray 0x0p+0 0x0p+0 0x1.4p+2 "
              "0x0p+0 0x0p+0 -0x1p+0 range 0x1p-2 0x1p+3");
-  BOOST_TEST(case_line(cases[3]).find("range") == std::string::npos);
+  BOOST_TEST(case_line(cases[3]).ends_with(" range -0x0p+0 inf"));
+  BOOST_TEST(case_line(cases[4]).find("range") == std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(an_answer_is_written_as_it_is_read) {

@@ -181,6 +181,12 @@ BOOST_AUTO_TEST_CASE(a_difference_is_true_to_its_promise) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(what_cancels_leaves_the_lowest_part) {
+  const Real x = {1, 0x1p-900, 0, 0};
+  BOOST_TEST(compare(difference(x, {0x1p-7, 0, 0, 7}), {1, 0, 0, -900}) == 0);
+  BOOST_TEST(compare(difference(x, {0x1p-7, 0x1p-907, 0, 7}), {}) == 0);
+}
+
 BOOST_AUTO_TEST_CASE(infinities_compare_as_they_should) {
   const Real infinity = real(std::numeric_limits<double>::infinity());
   const Real huge = {1, 0, 0, 5000};

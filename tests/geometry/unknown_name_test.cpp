@@ -14,6 +14,8 @@ BOOST_AUTO_TEST_CASE(a_slip_of_the_fingers_is_told_the_name_it_meant) {
              "shape `shpere` is not known; did you mean `sphere`?");
   BOOST_TEST(unknown_name("shape", "dsk", shapes) ==
              "shape `dsk` is not known; did you mean `disk`?");
+  BOOST_TEST(unknown_name("shape", "dsik", shapes) ==
+             "shape `dsik` is not known; did you mean `disk`?");
   BOOST_TEST(unknown_name("shape", "conee", shapes) ==
              "shape `conee` is not known; did you mean `cone`?");
 }

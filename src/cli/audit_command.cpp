@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "audit/audit.hpp"
+#include "cli/command.hpp"
+#include "cli/convention_option.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/fail_on.hpp"
+#include "cli/names.hpp"
+#include "cli/option.hpp"
+#include "cli/output.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/report_order.hpp"
+#include "cli/selection.hpp"
+#include "geometry/error.hpp"
+
+namespace rayaudit {
+namespace {
+
+constexpr std::int64_t default_cases = 10'000;
+
+Plan default_plan() {
+  Plan plan;
+  plan.cases = default_cases;
+  plan.seed = default_seed;
+  return plan;
+}
+
+struct AuditOptions {
+  std::vector<std::string> subjects, shapes, families, reports;
+  Plan plan = default_plan();
+  FailOn fail_on;
+  bool all_findings = false;
+};
+
+/// A difficulty must be one of every family that has any, in every format it will be drawn in.
+void require_difficulty(const std::vector<Audit>& audits, int difficulty) {
+  bool any = false;
+  for (const Audit& audit : audits) {
+    if (!audit.family->difficulty) continue;
+    any = true;
+    rayaudit::require_difficulty(*audit.family, audit.subject->drawn_in(), difficulty);
+  }
+  if (!any) throw Error("--difficulty: no family chosen has a difficulty");
+}
+
+Plan plan_of(const AuditOptions& options) {
+  Plan plan = options.plan;
+  const auto& subjects = built_in_subjects();
+  for (const std::size_t i :
+       selected("subject", options.subjects, names_of(subjects, &Subject::name)))
+    plan.subjects.push_back(&subjects[i]);
+  for (const std::size_t i :
+       selected("family", options.families, names_of(families(), &Family::id)))
+    plan.families.push_back(&families()[i]);
+  plan.shapes = selected("shape", options.shapes, shape_names);
+  const std::vector<Audit> audits = planned(plan);
+  if (audits.empty())
+    throw NothingAudited(
+        "nothing to audit: no chosen subject answers a chosen shape that a chosen "
+        "family draws");
+  if (plan.difficulty) require_difficulty(audits, *plan.difficulty);
+  return plan;
+}
+
+std::vector<Audit> run_with_progress(const Plan& plan) {
+  std::optional<tbb::global_control> allowed;  // TBB gives no more threads than processors unasked
+  if (plan.threads > 0) allowed.emplace(tbb::global_control::max_allowed_parallelism, plan.threads);
+  ProgressBar bar;
+  return run(plan, [&](const Progress& progress) { bar.tell(progress); });
+}
+
+int told_breach(const std::vector<Audit>& audits, const FailOn& fail_on) {
+  const auto breaks = [&](const Audit& audit) { return breach(fail_on, audit.tally).has_value(); };
+  const auto first = std::find_if(audits.begin(), audits.end(), breaks);
+  if (first == audits.end()) return all_held;
+  const Breach broken = *breach(fail_on, first->tally);
+  const auto others = std::count_if(first + 1, audits.end(), breaks);
+  complain(fmt::format(
+      "--fail-on: {} on {}, family {}: {}{}: {}", first->subject->name, shape_names[first->shape],
+      first->family->id, broken.words,
+      others > 0 ? fmt::format(" (and {} more audit{})", others, others == 1 ? " fails" : "s fail")
+                 : "",
+      explain_line(broken.worst, first->subject->format)));
+  return found;
+}
+
+int audit(const AuditOptions& options) {
+  std::vector<std::string> reports = options.reports;
+  if (reports.empty()) reports = {"table"};
+  const Plan plan = plan_of(options);
+  const std::vector<ReportOrder> orders = read_report_orders(reports);
+  const std::vector<Audit> audits = run_with_progress(plan);
+  const Run run = {RAYAUDIT_VERSION, plan, audits, environment()};
+  for (const ReportOrder& order : orders) {
+    const bool colour = order.file.empty() && is_colour_welcome();
+    deliver(order, order.report->write(run, {colour, options.all_findings}));
+  }
+  return told_breach(audits, options.fail_on);
+}
+
+void add_names(CLI::App& command, const std::shared_ptr<AuditOptions>& options) {
+  command.add_option("SUBJECT", options->subjects, "names or globs, as textbook/* or '*/float'")
+      ->type_name("");
+  const auto add_list = [&](const char* name, std::vector<std::string>& texts, const char* value,
+                            const char* about) {
+    return command.add_option(name, texts, about)->type_name(value)->allow_extra_args(false);
+  };
+  add_list("--shape", options->shapes, "SHAPE,...", "names or globs")->delimiter(',');
+  add_list("--family", options->families, "FAMILY,...", "names or globs")->delimiter(',');
+  add_list("--report", options->reports, "FORMAT[=FILE]",
+           "table (the default), json or csv; may be repeated, but one at most to stdout");
+}
+
+void add_numbers(CLI::App& command, const std::shared_ptr<AuditOptions>& options) {
+  add_number(command, "--cases", "for each subject, shape and family; 1e6 and 100k will do", 1,
+             largest_cases,
+             [=](std::int64_t n) { options->plan.cases = static_cast<std::uint64_t>(n); })
+      ->default_str(std::to_string(default_cases));
+  add_number(command, "--seed", "other cases for another seed", 0, largest_number,
+             [=](std::int64_t n) { options->plan.seed = static_cast<std::uint64_t>(n); })
+      ->default_str(std::to_string(default_seed));
+  add_number(command, "--difficulty", "one and the same of each family; else all that it has",
+             INT32_MIN, INT32_MAX,
+             [=](std::int64_t n) { options->plan.difficulty = static_cast<int>(n); });
+  add_number(command, "--threads", "else one for each processor; the findings are the same", 1,
+             1024, [=](std::int64_t n) { options->plan.threads = static_cast<int>(n); });
+}
+
+void add_judgement(CLI::App& command, const std::shared_ptr<AuditOptions>& options) {
+  add_option(command, "--convention", "KIND=STANCE,...",
+             "what the subjects declare of touches, as tangent=hit,rim=miss",
+             [=](const std::string& text) { options->plan.convention = read_convention(text); });
+  add_option(command, "--fail-on", "VERDICT,...",
+             "exit 1 where one of these occurs; also max_ulp=N",
+             [=](const std::string& text) { options->fail_on = read_fail_on(text); });
+  command.add_flag("--all-findings", options->all_findings, "in the table, not only the worst");
+}
+
+}  // namespace
+
+void add_audit_command(CLI::App& program, Command& asked) {
+  const auto options = std::make_shared<AuditOptions>();
+  CLI::App* command = program.add_subcommand(
+      "audit", "Hold subjects against the exact truth and tell what is wrong");
+  add_names(*command, options);
+  add_numbers(*command, options);
+  add_judgement(*command, options);
+  command->footer(
+      "Without names, every subject, shape and family is audited. A subject that is wrong is a\n"
+      "finding, not a failure: the exit code is 0 unless --fail-on says otherwise.\n\n"
+      "Examples:\n"
+      "  rayaudit audit\n"
+      "  rayaudit audit 'textbook/*' --shape sphere --family grazing,far --cases 1e6\n"
+      "  rayaudit audit '*/float' --report table --report json=audit.json\n"
+      "  rayaudit audit stable_quadratic/double --fail-on false_hit,false_miss,max_ulp=100\n");
+  command->callback([=, &asked] { asked = [options] { return audit(*options); }; });
+}
+
+}  // namespace rayaudit

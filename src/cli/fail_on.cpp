@@ -1,0 +1,82 @@
+#include "cli/fail_on.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "cli/pieces.hpp"
+#include "geometry/case_line.hpp"
+#include "geometry/error.hpp"
+#include "geometry/unknown_name.hpp"
+#include "reports/figures.hpp"
+
+namespace rayaudit {
+namespace {
+
+constexpr std::string_view max_ulp = "max_ulp";
+
+double read_ulps(std::string_view text) {
+  double ulps = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), ulps);
+  if (fault != std::errc() || end != text.data() + text.size() || !(ulps >= 0))
+    throw Error("--fail-on: max_ulp must be a number of ulps, got `" + std::string(text) + "`");
+  return ulps;
+}
+
+/// The measured hit with the most ulps.
+const Worst* farthest(const Tally& tally) {
+  const Worst* found = nullptr;
+  for (const auto& [verdict, claim, count, worst] : tally.outcomes) {
+    if (!worst || std::isnan(worst->judgement.ulps)) continue;
+    if (found == nullptr || worst->judgement.ulps > found->judgement.ulps) found = &*worst;
+  }
+  return found;
+}
+
+}  // namespace
+
+FailOn read_fail_on(std::string_view text) {
+  std::vector<std::string_view> known;
+  for (std::uint8_t i = 0; i < verdict_count; ++i) known.push_back(name(Verdict{i}));
+  known.push_back(max_ulp);
+  FailOn fail_on;
+  if (text.empty()) throw Error("--fail-on: expected a verdict, as in --fail-on false_hit");
+  for (const std::string_view piece : pieces(text, ',')) {
+    if (piece.starts_with("max_ulp=")) {
+      fail_on.most_ulps = read_ulps(piece.substr(max_ulp.size() + 1));
+      continue;
+    }
+    const auto place = std::find(known.begin(), known.end(), piece) - known.begin();
+    if (place == static_cast<std::ptrdiff_t>(known.size()))
+      throw Error("--fail-on: " + unknown_name("verdict", piece, known));
+    if (piece == max_ulp) throw Error("--fail-on: max_ulp needs its limit, as in max_ulp=4");
+    fail_on.verdicts[static_cast<std::size_t>(place)] = true;
+  }
+  return fail_on;
+}
+
+std::optional<Breach> breach(const FailOn& fail_on, const Tally& tally) {
+  for (std::size_t i = 0; i < verdict_count; ++i) {
+    if (!fail_on.verdicts[i] || tally.verdicts[i] == 0) continue;
+    const auto verdict = Verdict{static_cast<std::uint8_t>(i)};
+    return Breach{fmt::format("{} of {} cases {}", figures::grouped(tally.verdicts[i]),
+                              figures::grouped(tally.cases), name(verdict)),
+                  *tally.worst(verdict)};
+  }
+  if (!fail_on.most_ulps || !(tally.ulps.largest() > *fail_on.most_ulps)) return std::nullopt;
+  return Breach{fmt::format("a t is off by {} ulps, more than {}",
+                            figures::magnitude(tally.ulps.largest()), *fail_on.most_ulps),
+                *farthest(tally)};
+}
+
+std::string explain_line(const Worst& worst, const Format& format) {
+  std::string line = "rayaudit explain ";
+  if (format != double_format) line += fmt::format("--format {} ", format.name);
+  line += '\'' + case_line(worst.question) + ' ';
+  write(line, worst.answer);
+  return line + '\'';
+}
+
+}  // namespace rayaudit

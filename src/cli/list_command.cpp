@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+
+#include "cli/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/names.hpp"
+#include "cli/output.hpp"
+#include "cli/selection.hpp"
+#include "families/family.hpp"
+#include "reports/report.hpp"
+#include "subjects/subject.hpp"
+
+namespace rayaudit {
+namespace {
+
+std::string joined_shapes(const std::vector<std::size_t>& shapes) {
+  std::string text;
+  for (const std::size_t shape : shapes) (text += text.empty() ? "" : " ") += shape_names[shape];
+  return text;
+}
+
+template <std::size_t... I>
+std::string shape_lines(std::index_sequence<I...>) {
+  return (... + fmt::format("{:<10}{}\n", std::variant_alternative_t<I, Shape>::name,
+                            std::variant_alternative_t<I, Shape>::about));
+}
+
+std::string list_shapes() { return shape_lines(std::make_index_sequence<shape_count>{}); }
+
+std::string list_subjects() {
+  std::string text;
+  for (const Subject& subject : built_in_subjects()) {
+    std::vector<std::size_t> shapes;
+    for (std::size_t shape = 0; shape < shape_count; ++shape)
+      if (subject.answers(shape)) shapes.push_back(shape);
+    text += fmt::format("{:<30}{}\n", subject.name, joined_shapes(shapes));
+  }
+  return text;
+}
+
+std::string_view name_of(Strength strength) {
+  static constexpr std::array<std::string_view, 3> names = {"anywhere", "degenerate", "near"};
+  return names[static_cast<std::size_t>(strength)];
+}
+
+std::string list_families() {
+  std::string text;
+  for (const Family& family : families()) {
+    text += fmt::format("{:<15}{:<12}{:<28}{}", family.id, name_of(family.strength),
+                        joined_shapes(shapes_of(family)), family.about);
+    if (const auto& range = family.difficulty)
+      text += fmt::format("; k {} to {} (float {}): {}", range->least, range->most_double,
+                          range->most_float, range->about);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string list_reports() {
+  std::string text;
+  for (const Report& report : reports())
+    text += fmt::format("{:<10}{}\n", report.name, report.about);
+  return text;
+}
+
+struct Listing {
+  std::string_view heading;
+  std::string (*write)();
+};
+
+constexpr std::array listings = {Listing{"shapes", list_shapes}, Listing{"subjects", list_subjects},
+                                 Listing{"families", list_families},
+                                 Listing{"reports", list_reports}};
+
+int list(const std::string& heading) {
+  if (!heading.empty()) {
+    const auto known = names_of(listings, &Listing::heading);
+    print(listings[place_of("list of", heading, known)].write());
+    return all_held;
+  }
+  std::string text;
+  for (const Listing& each : listings) {
+    if (!text.empty()) text += '\n';
+    (text += each.heading) += '\n';
+    text += each.write();
+  }
+  print(text);
+  return all_held;
+}
+
+}  // namespace
+
+void add_list_command(CLI::App& program, Command& asked) {
+  const auto heading = std::make_shared<std::string>();
+  CLI::App* command = program.add_subcommand("list", "List what there is to name");
+  command->add_option("WHAT", *heading, "shapes, subjects, families or reports; else all four")
+      ->type_name("");
+  command->footer("Examples:\n  rayaudit list\n  rayaudit list families\n");
+  command->callback([=, &asked] { asked = [heading] { return list(*heading); }; });
+}
+
+}  // namespace rayaudit

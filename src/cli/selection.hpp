@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "families/family.hpp"
+
+namespace rayaudit {
+
+/// The seed of all that is drawn where no other is asked for.
+inline constexpr std::uint64_t default_seed = 1;
+
+/// The most cases that can be drawn: all counts of a run stay far from overflow.
+inline constexpr std::int64_t largest_cases = 1'000'000'000'000'000;
+
+/// The shapes that a family draws.
+std::vector<std::size_t> shapes_of(const Family& family);
+
+/// Throws Error unless the difficulty lies in the range that the family has in the format.
+void require_difficulty(const Family& family, const Format& format, int difficulty);
+
+}  // namespace rayaudit

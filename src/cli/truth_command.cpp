@@ -1,0 +1,122 @@
+
+#include "cli/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/formats.hpp"
+#include "cli/lines.hpp"
+#include "cli/option.hpp"
+#include "cli/output.hpp"
+#include "oracle/truth.hpp"
+
+namespace rayaudit {
+namespace {
+
+struct TruthOptions {
+  std::string file;
+  Format format = double_format;
+};
+
+using oracle::Crossing;
+using oracle::Kind;
+using oracle::Truth;
+
+/// Writes the t of a crossing, or where its stretch ends, correctly rounded.
+using WriteT = void (*)(std::string& line, const Case& question, const Crossing& crossing,
+                        bool last);
+
+template <class N>
+void write_t(std::string& line, const Case& question, const Crossing& crossing, bool last) {
+  line += ' ';
+  write(line, real(last ? oracle::rounded_last<N>(question, crossing)
+                        : oracle::rounded<N>(question, crossing)));
+}
+
+WriteT write_t_in(const Format& format) {
+  if (format == float_format) return write_t<float>;
+  return format == double_format ? write_t<double> : write_t<long double>;
+}
+
+void write_truth(std::string& line, const Case& question, const Truth& truth, WriteT write_t) {
+  if (truth.invalid != oracle::Invalid::no) {
+    (line += " invalid ") += name(truth.invalid);
+    return;
+  }
+  for (const Crossing& crossing : truth.crossings()) {
+    if (crossing.kind == Kind::proper) {
+      line += " hit";
+    } else {
+      (line += " touch ") += name(crossing.kind);
+    }
+    write_t(line, question, crossing, false);
+    if (crossing.kind == Kind::within) write_t(line, question, crossing, true);
+  }
+  if (truth.hit() == nullptr) line += " miss";
+}
+
+/// The words of the case alone, as they stand: in front of any answer and of any comment.
+std::string_view case_words(const Line& line) {
+  std::string_view words = line.text.substr(0, comment_start(line.text));
+  // No number and no name of a shape or a range has these letters after a space.
+  if (line.read->answer)
+    for (const std::string_view form :
+         {" hit", " at", " yes", " miss", "\thit", "\tat", "\tyes", "\tmiss"})
+      words = words.substr(0, words.find(form));
+  return words.substr(0, words.find_last_not_of(" \t\r\v\f") + 1);
+}
+
+std::string truths_of(std::span<const Line> lines, const Format& format) {
+  std::vector<Case> cases;
+  for (const Line& line : lines)
+    if (line.read) cases.push_back(line.read->question);
+  std::vector<Truth> truths(cases.size());
+  oracle::truth(cases, truths, oracle::bits_for(format));
+  const WriteT write_t = write_t_in(format);
+  std::string text;
+  std::size_t place = 0;
+  for (const Line& line : lines) {
+    if (line.read) {
+      text += case_words(line);
+      write_truth(text, cases[place], truths[place], write_t);
+      ++place;
+      const std::string_view comment = line.text.substr(comment_start(line.text));
+      if (!comment.empty()) (text += ' ') += comment;
+    } else {
+      text += line.text;
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+int tell_truths(const TruthOptions& options) {
+  LineFile file(options.file);
+  work_through(
+      file, Answers::welcome,
+      [&](std::span<const Line> lines) { return truths_of(lines, options.format); }, print);
+  return all_held;
+}
+
+}  // namespace
+
+void add_truth_command(CLI::App& program, Command& asked) {
+  const auto options = std::make_shared<TruthOptions>();
+  CLI::App* command = program.add_subcommand("truth", "Append the exact truth to case lines");
+  command->add_option("FILE", options->file, "case lines; standard input where there is none")
+      ->type_name("");
+  add_option(*command, "--format", "FORMAT",
+             "what t is rounded to, correctly: float, double or long_double",
+             [=](const std::string& text) { options->format = known_format(text); })
+      ->default_str("double");
+  command->footer(
+      "What is appended, in front of any # comment:\n"
+      "  touch KIND t ...  crossings that a small change could lose, up to the first proper one\n"
+      "  hit t             the first proper crossing, or\n"
+      "  miss              where there is none\n"
+      "  invalid WHY       where the case is no question of truth\n"
+      "An answer on the line gives way to it. A line in, a line out.\n\n"
+      "Examples:\n"
+      "  echo sphere 0 0 0 1 ray 0 0 -3 0 0 1 | rayaudit truth\n"
+      "  rayaudit draw --shape cone --family apex --count 5 | rayaudit truth --format float\n");
+  command->callback([=, &asked] { asked = [options] { return tell_truths(*options); }; });
+}
+
+}  // namespace rayaudit

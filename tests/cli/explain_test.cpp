@@ -1,0 +1,101 @@
+#define BOOST_TEST_MODULE explain
+#include <boost/test/unit_test.hpp>
+
+#include "tests/cli/shell.hpp"
+
+using shell::contains;
+using shell::Folder;
+using shell::run;
+
+namespace {
+
+/// What is told above the table of subjects.
+std::string told(const std::string& line) {
+  const auto ended = run("rayaudit explain " + line);
+  BOOST_TEST(ended.code == 0);
+  BOOST_TEST(ended.err == "");
+  return ended.out.substr(0, ended.out.find("\n\nsubject") + 1);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_hit_is_told_as_a_closed_form_and_in_digits) {
+  BOOST_TEST(told("'sphere 0 0 0 1 ray 0 0.5 -3 0 0 1 # half up'") ==
+             "sphere    centre (0, 0, 0)  radius 1\n"
+             "ray       origin (0, 0.5, -3)  direction (0, 0, 1)  range (0, inf)\n"
+             "why       half up\n"
+             "truth     a hit (decided by intervals)\n"
+             "  hit            t = (6 - sqrt(3)) / 2\n"
+             "                   = 2.133974596215561353236276829247063816529...\n"
+             "                   nearest double 2.133974596215561 = 0x1.1126145e9ecd5p+1\n"
+             "other roots, no answers:\n"
+             "  later          t = 3.866025403784439\n");
+}
+
+BOOST_AUTO_TEST_CASE(touches_are_told_with_their_kind) {
+  BOOST_TEST(contains(told("cylinder 0 0 0 0 1 0 1 ray 1 -2 0 0 0.5 0"),
+                      "truth     a miss, or the touch before it, as convention has it (decided by "
+                      "exact numbers)\n"
+                      "  touch, within  t = 4\n"
+                      "                   nearest double 4 = 0x1p+2\n"
+                      "    ... up to    t = 6\n"));
+  BOOST_TEST(contains(told("sphere 0 0 0 1 ray 0 1 -3 0 0 1"), "  touch, tangent t = 3\n"));
+}
+
+BOOST_AUTO_TEST_CASE(roots_that_are_no_answers_are_told_with_their_standing) {
+  BOOST_TEST(contains(told("disk 0 0 0 0 1 0 1 ray 3 2 0 0 -1 0"),
+                      "truth     a miss (decided by intervals)\n"
+                      "other roots, no answers:\n"
+                      "  clipped        t = 2\n"));
+}
+
+BOOST_AUTO_TEST_CASE(an_invalid_case_is_told_with_its_reason) {
+  BOOST_TEST(contains(told("cone 0 0 0 0 0 0 1 ray 0 0 -3 0 0 1"),
+                      "truth     none, the case is invalid: base and top are the same point\n"));
+}
+
+BOOST_AUTO_TEST_CASE(words_with_signs_are_no_options) {
+  BOOST_TEST(
+      contains(told("sphere 0 0 0 1 ray 0 0 -3 0 0 1 range -inf inf"), "range (-inf, inf)\n"));
+}
+
+BOOST_AUTO_TEST_CASE(every_subject_answers_and_is_judged) {
+  const auto ended = run("rayaudit explain sphere 0 0 0 1 ray 0 0 -3 0 0 1");
+  BOOST_TEST(contains(ended.out,
+                      "subject                        answer                     verdict           "
+                      "         ulps   forced  side\n"));
+  for (const std::string number : {"float      ", "double     ", "long_double"})
+    BOOST_TEST(contains(ended.out, "textbook/" + number +
+                                       "           hit 2                      right             "
+                                       "            0        0  on\n"));
+  BOOST_TEST(!contains(ended.out, "division_free"));
+}
+
+BOOST_AUTO_TEST_CASE(subjects_in_float_are_not_asked_about_numbers_that_are_no_floats) {
+  const auto ended = run("rayaudit explain sphere 0 0 0 0.1 ray 0 0 -3 0 0 1");
+  BOOST_TEST(contains(ended.out, "textbook/double"));
+  BOOST_TEST(!contains(ended.out, "textbook/float"));
+  BOOST_TEST(contains(
+      ended.out, "\nsubjects in float are not asked: the case has numbers that are no floats\n"));
+}
+
+BOOST_AUTO_TEST_CASE(the_answer_on_the_line_is_judged_first_in_the_format_asked_for) {
+  const std::string line = "sphere 0 0 0 1 ray 0 0 -3 0 0 1 hit 0x1.000002p+1";
+  const auto first_answer = [](const shell::Ended& ended) {
+    const std::size_t begin = ended.out.find("side\n") + 5;
+    return ended.out.substr(begin, ended.out.find('\n', begin) - begin);
+  };
+  BOOST_TEST(first_answer(run("rayaudit explain '" + line + "'")) ==
+             "the line, in double            hit 2.000000238418579      right                     "
+             "5.4e8    3.6e8  beyond");
+  BOOST_TEST(first_answer(run("rayaudit explain --format float " + line)) ==
+             "the line, in float             hit 2.0000002              right                     "
+             "    1    0.667  beyond");
+}
+
+BOOST_AUTO_TEST_CASE(a_line_of_a_file_is_explained_by_its_place) {
+  const Folder folder;
+  folder.write("a b.txt", "# first\ndisk 0 0 0 0 1 0 1 ray 3 2 0 0 -1 0\n");
+  BOOST_TEST(folder.run("rayaudit explain 'a b.txt:2'") ==
+             run("rayaudit explain disk 0 0 0 0 1 0 1 ray 3 2 0 0 -1 0"));
+}

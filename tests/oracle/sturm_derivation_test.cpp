@@ -1,0 +1,27 @@
+#define BOOST_TEST_MODULE sturm_derivation
+#include "tests/oracle/second_derivation/by_sturm.hpp"
+#include "tests/oracle/second_derivation/held.hpp"
+#include "tests/oracle/second_derivation/proved.hpp"
+
+namespace rayaudit::second {
+namespace {
+
+using enum oracle::Kind;
+
+constexpr std::size_t cylinder = 2, cone = 3;
+
+BOOST_AUTO_TEST_CASE(proved_cases_are_derived_right) {
+  hold_proved(cylinder, by_sturm);
+  hold_proved(cone, by_sturm);
+}
+
+BOOST_AUTO_TEST_CASE(the_oracle_agrees_on_cylinders) {
+  hold(cylinder, 20'000, by_sturm, {proper, tangent, rim, start, end, within});
+}
+
+BOOST_AUTO_TEST_CASE(the_oracle_agrees_on_cones) {
+  hold(cone, 20'000, by_sturm, {proper, tangent, rim, apex, start, end, within});
+}
+
+}  // namespace
+}  // namespace rayaudit::second
