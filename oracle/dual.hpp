@@ -17,7 +17,7 @@ struct SlopeOf<Bounded> {
 };
 
 /// A value and its derivatives by n variables (forward differentiation). Derivatives of double-word
-/// values are doubles: no cancellation in the value is left in them.
+/// values are doubles, taken from values in which nothing was lost to cancellation.
 template <class V, std::size_t n>
 struct Dual {
   using Slope = typename SlopeOf<V>::type;

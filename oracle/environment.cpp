@@ -22,4 +22,13 @@ void require_plain_arithmetic() {
   if (flushes) throw UnfitArithmetic("this thread flushes subnormal numbers to zero");
 }
 
+bool rounds_to_float(const Vec3<double>& v) {
+  const Vec3<double> rounded = in<double>(in<float>(v));
+  const auto is_float = [](double x) {
+    volatile const float stored = static_cast<float>(x);
+    return static_cast<double>(stored) == x;
+  };
+  return is_float(rounded.x) && is_float(rounded.y) && is_float(rounded.z);
+}
+
 }  // namespace rayaudit::oracle

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "oracle/prepared.hpp"
 #include "oracle/radical.hpp"
 #include "oracle/stages.hpp"
@@ -108,6 +110,8 @@ ExactRoots roots_of(const Ray<double>& ray, const S<double>& shape, bool all) {
   Signs<Exact> sign;
   const Outline outline = settle<apex_side<S<double>>, Exact>(patch, range, sign, all);
   ExactRoots found;
+  const auto vanishes = [](const Exact& x) { return x.sign() == 0; };
+  found.constant = std::all_of(patch.field.c.begin() + 1, patch.field.c.end(), vanishes);
   if (outline.within) {
     const Stretch inside = stretch(patch.side, range);
     if (!inside.empty && !all)

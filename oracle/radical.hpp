@@ -30,6 +30,7 @@ struct ExactRoot {
 
 /// The roots of a valid case in exact numbers: all, or those up to the first proper crossing.
 struct ExactRoots {
+  bool constant = false;  ///< F is the same all along the line
   std::uint8_t count = 0;
   std::array<ExactRoot, Truth::most> listed;
 };

@@ -47,6 +47,8 @@ std::optional<std::string> self_check() {
   } catch (const UnfitArithmetic& why) {
     return why.what();
   }
+  if (!rounds_to_float({0.1, 0.2, 0.3}))
+    return "this program was compiled without the rounding of double to float";
   for (const Proved& known : proved) {
     const Case question = read_case_line(known.line).question;
     const ExactRoots exact = exact_roots(question, false);

@@ -170,7 +170,7 @@ Truth truth(const Case& question, int bits) {
 
 Roots roots(const Case& question, int bits) {
   const ExactRoots found = exact_roots(question, true);
-  Roots listed;
+  Roots listed{.constant = found.constant};
   for (const ExactRoot& root : std::span(found.listed.data(), found.count))
     listed.listed[listed.count++] = {value(root.t, bits), root.outlined.standing,
                                      root.outlined.kind};

@@ -65,10 +65,12 @@ struct Truth {
   std::uint8_t other_count = 0;
   std::array<Real, most> other_roots = {};
 
-  std::span<const Crossing> crossings() const { return {listed.data(), count}; }
-  std::span<const Real> others() const { return {other_roots.data(), other_count}; }
+  std::span<const Crossing> crossings() const& { return {listed.data(), count}; }
+  void crossings() const&& = delete;  ///< would not outlive the truth
+  std::span<const Real> others() const& { return {other_roots.data(), other_count}; }
+  void others() const&& = delete;
   /// The first proper crossing, or null where the truth is a miss.
-  const Crossing* hit() const {
+  const Crossing* hit() const& {
     return count > 0 && listed[count - 1].kind == Kind::proper ? &listed[count - 1] : nullptr;
   }
   bool has_touch() const { return count > (hit() ? 1 : 0); }
@@ -110,10 +112,12 @@ struct Root {
 /// Every real root of F along the whole line, in order (a double root once), each t within
 /// 2^-bits |t|; none where F vanishes all along. The case must be valid. Slower than truth.
 struct Roots {
+  bool constant = false;  ///< F is the same all along the line
   std::uint8_t count = 0;
   std::array<Root, Truth::most> listed = {};
 
-  std::span<const Root> roots() const { return {listed.data(), count}; }
+  std::span<const Root> roots() const& { return {listed.data(), count}; }
+  void roots() const&& = delete;  ///< would not outlive this
 };
 Roots roots(const Case& question, int bits = bits_for(double_format));
 

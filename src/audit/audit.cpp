@@ -1,5 +1,6 @@
 #include "audit/audit.hpp"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -21,8 +22,12 @@ struct Group {
   const Family* family;
   std::size_t shape;
   Format drawn_in;
-  int bits = 0;  ///< to which t must be known for the finest format among them
   std::vector<std::size_t> audits;
+
+  /// To which t must be known: for the finest format that is asked such cases, whoever takes part.
+  int bits() const {
+    return oracle::bits_for(drawn_in == float_format ? float_format : long_double_format);
+  }
 };
 
 std::vector<Group> grouped(const std::vector<Audit>& audits) {
@@ -33,10 +38,8 @@ std::vector<Group> grouped(const std::vector<Audit>& audits) {
     const Format& format = subject->drawn_in();
     const auto [place, is_new] =
         places.try_emplace({family, shape, format.precision}, groups.size());
-    if (is_new) groups.push_back({family, shape, format, 0, {}});
-    Group& group = groups[place->second];
-    group.bits = std::max(group.bits, oracle::bits_for(subject->format));
-    group.audits.push_back(i);
+    if (is_new) groups.push_back({family, shape, format, {}});
+    groups[place->second].audits.push_back(i);
   }
   return groups;
 }
@@ -58,7 +61,7 @@ void judge_portion(const Plan& plan, const Group& group, const std::vector<Audit
   std::array<oracle::Truth, portion> truths;
   std::array<Answer, portion> answers;
   const std::size_t size = cases.size();
-  oracle::truth(cases, {truths.data(), size}, group.bits);
+  oracle::truth(cases, {truths.data(), size}, group.bits());
   std::vector<Settled> settled;
   settled.reserve(size);
   for (std::size_t i = 0; i < size; ++i) settled.emplace_back(cases[i], truths[i]);
@@ -91,9 +94,12 @@ class Teller {
   Teller(std::uint64_t all, const std::function<void(Progress)>& tell) : all_(all), tell_(tell) {}
 
   void add(std::uint64_t cases) {
-    const std::uint64_t done = done_ += cases;
+    done_ += cases;
     if (!tell_) return;
-    if (const std::unique_lock lock(mutex_, std::try_to_lock); lock) tell_({done, all_});
+    if (const std::unique_lock lock(mutex_, std::try_to_lock); lock) tell_({done_, all_});
+  }
+  void end() const {
+    if (tell_) tell_({all_, all_});
   }
 
  private:
@@ -121,6 +127,9 @@ std::vector<Audit> run(const Plan& plan, const std::function<void(Progress)>& te
   std::vector<SharedTally> shared(audits.size());
   const std::uint64_t chunks = (plan.cases + chunk_cases - 1) / chunk_cases;
   Teller teller(plan.cases * audits.size(), tell);
+  // Unasked, TBB gives no more threads than there are processors.
+  std::optional<tbb::global_control> allowed;
+  if (plan.threads > 0) allowed.emplace(tbb::global_control::max_allowed_parallelism, plan.threads);
   tbb::task_arena arena(plan.threads > 0 ? plan.threads : tbb::task_arena::automatic);
   arena.execute([&] {
     tbb::parallel_for(std::uint64_t{0}, groups.size() * chunks, [&](std::uint64_t i) {
@@ -130,7 +139,8 @@ std::vector<Audit> run(const Plan& plan, const std::function<void(Progress)>& te
       teller.add(std::min<std::uint64_t>(chunk_cases, plan.cases - first) * group.audits.size());
     });
   });
-  for (std::size_t i = 0; i < audits.size(); ++i) audits[i].tally = shared[i].tally;
+  teller.end();
+  for (std::size_t i = 0; i < audits.size(); ++i) audits[i].tally = std::move(shared[i].tally);
   return audits;
 }
 

@@ -36,13 +36,14 @@ Real absolute(const Real& x) { return sign(x) < 0 ? difference({}, x) : x; }
 
 Real gap(const Real& a, const Real& b) { return absolute(difference(a, b)); }
 
-/// How far t is from a crossing: from the nearest point of a stretch, 0 inside.
-Real gap(const Real& t, const Crossing& crossing) {
-  if (crossing.kind != Kind::within) return gap(t, crossing.t);
-  if (compare(t, crossing.t) < 0) return gap(t, crossing.t);
-  if (compare(t, crossing.t_last) > 0) return gap(t, crossing.t_last);
-  return {};
+/// The exact t that an answer is held against: that of the crossing; of a stretch the nearest,
+/// which is the answer itself inside.
+Real exact_t(const Real& t, const Crossing& crossing) {
+  if (crossing.kind != Kind::within || compare(t, crossing.t) < 0) return crossing.t;
+  return compare(t, crossing.t_last) > 0 ? crossing.t_last : t;
 }
+
+Real gap(const Real& t, const Crossing& crossing) { return gap(t, exact_t(t, crossing)); }
 
 /// x / y for y != 0, where neither need be in the range of double.
 double ratio(const Real& x, const Real& y) {
@@ -99,13 +100,15 @@ Claim claim_at(Settled& settled, const Real& t) {
   if (is_nan(t)) return Claim::nan;
   if (is_infinite(t)) return Claim::infinite;
   const oracle::Root* root = nearest_root(settled, t);
+  if (root == nullptr && settled.roots().constant) return Claim::parallel;
   return root == nullptr || is_far(t, root->t) ? Claim::no_root : claim_of(root->standing);
 }
 
 /// What a bare yes can have meant where no hit is acceptable: the last root along the line.
 Claim claim_of_yes(Settled& settled) {
   const auto roots = settled.roots().roots();
-  return roots.empty() ? Claim::no_root : claim_of(roots.back().standing);
+  if (!roots.empty()) return claim_of(roots.back().standing);
+  return settled.roots().constant ? Claim::parallel : Claim::no_root;
 }
 
 /// The t that an answer claims, to 2^-bits; NaN for a point that is not finite.
@@ -160,12 +163,12 @@ void measure_point(Judgement& judgement, Settled& settled, const Answer& answer,
 void measure(Judgement& judgement, Settled& settled, const Answer& answer, const Real& t,
              const Format& format) {
   const Crossing& crossing = settled.truth().crossings()[judgement.crossing];
-  const Real off = gap(t, crossing);
+  const Real exact = exact_t(t, crossing), off = gap(t, exact);
   if (sign(off) == 0)
     judgement.ulps = judgement.relative = 0;
   else
-    judgement.ulps = scaled(off, spacing_exponent(crossing.t, format));
-  if (sign(off) != 0 && sign(crossing.t) != 0) judgement.relative = ratio(off, crossing.t);
+    judgement.ulps = scaled(off, spacing_exponent(exact, format));
+  if (sign(off) != 0 && sign(exact) != 0) judgement.relative = ratio(off, exact);
   if (crossing.kind != Kind::within) {
     const Real& forced = settled.sensitivity(judgement.crossing).forced;
     if (is_finite(forced))
@@ -239,7 +242,7 @@ Judgement judge_t(Judgement judgement, Settled& settled, const Choices& choices,
   for (const int i : choices.list().subspan(1))
     if (const Real other = gap(t, truth.crossings()[i]); compare(other, off) < 0)
       nearest = i, off = other;
-  const Real& exact = truth.crossings()[nearest].t;
+  const Real exact = exact_t(t, truth.crossings()[nearest]);
   const bool within_an_ulp = scaled(off, spacing_exponent(exact, format)) <= 1;
   if (!within_an_ulp && !is_surely_nearest(truth, choices, t, off))
     if (const oracle::Root* root = nearer_elsewhere(settled, choices, answer); root != nullptr) {
@@ -279,6 +282,33 @@ Judgement judge_hit(Judgement judgement, Settled& settled, const Choices& choice
   return judge_t(judgement, settled, choices, answer, t, format);
 }
 
+/// Is the point told the first of the shape's own: its centre, or the centre of its base?
+bool is_centre(const Case& question, const Answer& answer) {
+  if (answer.form != Answer::Form::at) return false;
+  const auto [x, y, z] =
+      std::visit([](const auto& shape) { return std::get<0>(shape.parts()); }, question.shape);
+  const auto is = [](const Real& a, double b) { return is_finite(a) && compare(a, real(b)) == 0; };
+  return is(answer.point.x, x) && is(answer.point.y, y) && is(answer.point.z, z);
+}
+
+/// Does the ray reach the world origin at t, up to the roundings of o + t d?
+bool is_at_origin(const Ray<double>& ray, const Real& t) {
+  const double reach = nearest<double>(t);
+  const auto vanishes = [&](double o, double d) {
+    return std::fabs(o + reach * d) <= std::fabs(o) * 0x1p-50;
+  };
+  return vanishes(ray.origin.x, ray.direction.x) && vanishes(ray.origin.y, ray.direction.y) &&
+         vanishes(ray.origin.z, ray.direction.z);
+}
+
+/// A point that no ray need come near is told for "no hit"; so is the world origin, which a ray may
+/// well hit. Both slips have a name.
+Judgement with_sentinel(Judgement judgement, const Settled& settled, const Answer& answer) {
+  if (!is_wrong(judgement.verdict)) return judgement;
+  if (is_centre(settled.question(), answer)) judgement.claim = Claim::centre;
+  return judgement;
+}
+
 }  // namespace
 
 std::string_view name(Verdict verdict) {
@@ -295,8 +325,8 @@ bool is_wrong(Verdict verdict) {
 
 std::string_view name(Claim claim) {
   constexpr std::array<std::string_view, claim_count> names = {
-      "none", "no_root", "nan",      "infinite", "behind",
-      "past", "clipped", "mirrored", "later",    "declined"};
+      "none",     "no_root", "nan",      "infinite", "behind", "past",  "clipped",
+      "mirrored", "later",   "declined", "parallel", "centre", "origin"};
   return names[static_cast<std::size_t>(claim)];
 }
 
@@ -323,8 +353,14 @@ Judgement judge(Settled& settled, const Answer& answer, const Format& format,
     return {.verdict = miss ? Verdict::invalid_handled : Verdict::invalid_mishandled};
   const Choices choices(settled.truth(), convention);
   const Judgement judgement{.touch = choices.open_touch};
-  if (!miss) return judge_hit(judgement, settled, choices, answer, format);
-  if (choices.must >= 0) return {.verdict = Verdict::false_miss, .crossing = choices.must};
+  if (!miss)
+    return with_sentinel(judge_hit(judgement, settled, choices, answer, format), settled, answer);
+  if (choices.must >= 0) {
+    const Real& t = settled.truth().crossings()[choices.must].t;
+    return {.verdict = Verdict::false_miss,
+            .claim = is_at_origin(settled.question().ray, t) ? Claim::origin : Claim::none,
+            .crossing = choices.must};
+  }
   if (choices.open_touch) return {.verdict = Verdict::touch, .touch = choices.open_touch};
   return judgement;
 }

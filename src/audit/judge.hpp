@@ -46,8 +46,11 @@ enum class Claim : std::uint8_t {
   mirrored,  ///< a root on the cone's other nappe
   later,     ///< a crossing, but not the first
   declined,  ///< a touch of a kind that the subject declares to be a miss
+  parallel,  ///< F is the same all along the ray: no root, near or far
+  centre,    ///< the point told is the centre (or base) of the shape itself
+  origin,    ///< of a false miss: the hit that is missed lies at the world origin
 };
-inline constexpr std::size_t claim_count = 10;
+inline constexpr std::size_t claim_count = 13;
 std::string_view name(Claim claim);
 
 /// On which side of the surface the rounded point lies, as the ray came. A ray that starts beyond

@@ -21,7 +21,7 @@ class Histogram {
   double largest() const { return largest_; }
 
  private:
-  static constexpr int least_exponent = -10, octaves = 64, steps = 8;
+  static constexpr int least_exponent = -10, octaves = 140, steps = 8;
 
   std::array<std::uint64_t, octaves* steps + 2> counts_ = {};  ///< first: below, last: above
   std::uint64_t count_ = 0;

@@ -215,6 +215,17 @@ BOOST_AUTO_TEST_CASE(the_first_cases_of_a_longer_run_are_those_of_a_shorter) {
   BOOST_TEST(std::equal(shorter.begin(), shorter.end(), longer.begin()));
 }
 
+BOOST_AUTO_TEST_CASE(the_place_of_a_worst_case_tells_where_it_was_drawn) {
+  const Plan plan = part(3000);
+  for (const Audit& audit : run(plan))
+    for (const Outcome& outcome : audit.tally.outcomes) {
+      std::vector<Case> chunk(outcome.worst->place % chunk_cases + 1);
+      draw(*audit.family, audit.shape, audit.subject->drawn_in(), {}, plan.seed,
+           outcome.worst->place / chunk_cases, chunk);
+      BOOST_TEST(case_line(chunk.back()) == case_line(outcome.worst->question), title(audit));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(another_seed_gives_other_cases) {
   BOOST_TEST((shown_to(double_format, 10, 5) != shown_to(double_format, 10, 6)));
   BOOST_TEST((shown_to(double_format, 10, 5) == shown_to(double_format, 10, 5)));
@@ -283,7 +294,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_planned_where_nothing_fits) {
   BOOST_TEST(planned({}).empty());
 }
 
-BOOST_AUTO_TEST_CASE(progress_never_falls_behind_and_ends_at_all) {
+BOOST_AUTO_TEST_CASE(progress_is_told_up_to_all) {
   for (const int threads : {1, 2, 3}) {
     Plan plan = part(2500);
     plan.threads = threads;

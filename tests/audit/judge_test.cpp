@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(a_hit_where_there_is_none_is_false_and_its_claim_is_told) {
   BOOST_TEST(told("sphere 0 0 0 1 ray 0 0 -3 0 0 1 range 0 1 hit 2") == "false_hit past");
   BOOST_TEST(told(past + "yes") == "false_hit no_root");
   BOOST_TEST(told("disk 0 0 0 0 1 0 1 ray 3 1 0 0 -1 0 yes") == "false_hit clipped");
-  BOOST_TEST(told(past + "at 0 0 0") == "false_hit no_root");
+  BOOST_TEST(told(past + "at 0 0 0.5") == "false_hit no_root");
 }
 
 BOOST_AUTO_TEST_CASE(a_t_nearest_to_another_root_is_a_wrong_root) {
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(an_acceptable_root_wins_a_tie_of_irrational_roots) {
   BOOST_TEST(told("sphere 0x1.48ep-8 -0x1.c6dp-6 -0x1.435p-6 0x1.16e8p-5 ray -0x1.0a82dp-1 "
                   "0x1.1b9a8p-2 -0x1.dcp-3 0x1.39b1ep+3 -0x1.4dcdbp+2 0x1.19856p+2 "
                   "at 0x1.48ep-8 -0x1.c6dp-6 -0x1.435p-6") == "right");
-  BOOST_TEST(told("sphere 1 2 3 0.3 ray 4.1 5.2 6.3 -3.1 -3.2 -3.3 at 1 2 3") == "wrong_t");
+  BOOST_TEST(told("sphere 1 2 3 0.3 ray 4.1 5.2 6.3 -3.1 -3.2 -3.3 at 1 2 3") == "wrong_t centre");
 }
 
 BOOST_AUTO_TEST_CASE(an_acceptable_root_wins_whenever_the_answer_is_within_an_ulp_of_it) {
@@ -150,6 +150,31 @@ BOOST_AUTO_TEST_CASE(a_declared_convention_is_held) {
   BOOST_TEST(told(on_it + "hit 0", no_start) == "wrong_root declined");
   const Convention start = declared(oracle::Kind::start, Stance::hit);
   BOOST_TEST(told(on_it + "hit 2", start) == "wrong_root declined");
+}
+
+BOOST_AUTO_TEST_CASE(a_t_past_a_stretch_is_measured_from_its_end) {
+  // The ray lies in the disk from 1 to 2000001; the answer is 16 ulps past that.
+  const std::string along = "disk 0 0 0 0 1 0 1000000 ray -1000001 0 0 1 0 0 ";
+  const Judgement past_it = judged(along + "hit 0x1.e84810000001p+20");
+  BOOST_TEST((past_it.verdict == Verdict::touch));
+  BOOST_TEST(past_it.ulps == 16);
+  BOOST_TEST(judged(along + "hit 1000").ulps == 0);
+  const Convention hits = declared(oracle::Kind::within, Convention::Stance::hit);
+  BOOST_TEST(told(along + "hit 0x1.e84810000001p+20", hits) == "right");
+}
+
+BOOST_AUTO_TEST_CASE(a_sentinel_answer_is_named) {
+  BOOST_TEST(told("sphere 1 2 3 1 ray 9 9 9 1 0 0 at 1 2 3") == "false_hit centre");
+  BOOST_TEST(told("sphere 1 2 3 1 ray 1 2 0 0 0 1 at 1 2 3") == "wrong_t centre");
+  BOOST_TEST(told("sphere 0 0 1 1 ray 0 0 -3 0 0 1 miss") == "false_miss origin");
+  BOOST_TEST(told("sphere 0 0 1 1 ray 0 0.1 -3 0 0 1 miss") == "false_miss");
+}
+
+BOOST_AUTO_TEST_CASE(a_hit_of_a_parallel_ray_is_told_so) {
+  BOOST_TEST(told("disk 0 0 0 0 1 0 1 ray -3 1 0 1 0 0 yes") == "false_hit parallel");
+  BOOST_TEST(told("disk 0 0 0 0 1 0 1 ray -3 1 0 1 0 0 hit inf") == "false_hit infinite");
+  BOOST_TEST(told("disk 0 0 0 0 1 0 1 ray -3 0 2 1 0 0 hit 3") == "false_hit parallel");
+  BOOST_TEST(told("cylinder 0 0 0 0 1 0 1 ray 0.5 -3 0 0 1 0 hit 3") == "false_hit parallel");
 }
 
 BOOST_AUTO_TEST_CASE(an_invalid_case_asks_for_a_clear_miss) {

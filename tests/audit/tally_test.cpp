@@ -38,6 +38,12 @@ BOOST_AUTO_TEST_CASE(a_quantile_is_a_sharp_upper_limit) {
   BOOST_TEST(histogram.largest() == 1000);
 }
 
+BOOST_AUTO_TEST_CASE(quantiles_reach_as_far_as_long_double_errors) {
+  Histogram histogram;
+  for (int i = 0; i < 100; ++i) histogram.add(i < 99 ? 0x1p+62 : 0x1p+100);
+  BOOST_TEST((histogram.quantile(0.5) >= 0x1p+62 && histogram.quantile(0.5) <= 0x1.2p+62));
+}
+
 BOOST_AUTO_TEST_CASE(zero_tiny_and_infinite_values_have_their_quantiles) {
   Histogram histogram;
   BOOST_TEST(histogram.quantile(0.5) == 0);

@@ -174,7 +174,8 @@ BOOST_AUTO_TEST_CASE(invalid_cases_are_named) {
 BOOST_AUTO_TEST_CASE(every_root_is_told_with_its_standing) {
   const auto standings = [](std::string_view line) {
     std::string words;
-    for (const oracle::Root& root : oracle::roots(read(line)).roots())
+    const oracle::Roots all = oracle::roots(read(line));
+    for (const oracle::Root& root : all.roots())
       words += std::string(words.empty() ? "" : " ") + std::string(oracle::name(root.standing));
     return words;
   };
