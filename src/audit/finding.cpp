@@ -1,11 +1,16 @@
 #include "audit/finding.hpp"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <string_view>
 #include <tuple>
 
 namespace rayaudit {
 namespace {
+
+/// Families whose rays begin next to the surface.
+constexpr std::array<std::string_view, 2> next_to_surface = {"spawned", "surface-near"};
 
 /// The wrong verdicts of one kind in one audit.
 struct Occurrence {
@@ -16,6 +21,10 @@ struct Occurrence {
     return {std::string(audit->family->id), outcome->count, audit->tally.cases};
   }
   double share() const { return afflicted().share(); }
+  bool is_elsewhere() const {
+    return std::find(next_to_surface.begin(), next_to_surface.end(), audit->family->id) ==
+           next_to_surface.end();
+  }
   std::string_view subject() const { return audit->subject->name; }
   std::string_view routine() const { return subject().substr(0, subject().rfind('/')); }
   std::string_view number() const {
@@ -36,12 +45,8 @@ std::vector<Occurrence> occurrences(const std::vector<Audit>& audits) {
   return all;
 }
 
-void include(std::vector<std::string>& names, std::string_view name) {
-  if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
-}
-
 /// Of several subjects that a family afflicts the first, who is afflicted most, is told.
-void include(std::vector<Afflicted>& families, const Afflicted& family) {
+void tell(std::vector<Afflicted>& families, const Afflicted& family) {
   const auto is_told = [&](const Afflicted& each) { return each.family == family.family; };
   if (std::none_of(families.begin(), families.end(), is_told)) families.push_back(family);
 }
@@ -57,10 +62,15 @@ Finding finding(std::vector<Occurrence> group) {
   }
   std::stable_sort(group.begin(), group.end(),
                    [](const Occurrence& a, const Occurrence& b) { return a.share() > b.share(); });
-  for (const Occurrence& each : group) include(made.families, each.afflicted());
+  for (const Occurrence& each : group) tell(made.families, each.afflicted());
   made.share = group.front().share();
-  made.subject = group.front().audit->subject;
-  made.example = *group.front().outcome->worst;
+  auto leading = std::find_if(group.begin(), group.end(), std::mem_fn(&Occurrence::is_elsewhere));
+  if (leading == group.end())
+    leading = group.begin();
+  else
+    made.share_elsewhere = leading->share();
+  made.subject = leading->audit->subject;
+  made.example = *leading->outcome->worst;
   return made;
 }
 
@@ -68,12 +78,17 @@ Finding finding(std::vector<Occurrence> group) {
 bool is_worse(const Finding& a, const Finding& b) {
   const bool a_invalid = a.verdict == Verdict::invalid_mishandled;
   if (a_invalid != (b.verdict == Verdict::invalid_mishandled)) return !a_invalid;
+  if (a.share_elsewhere != b.share_elsewhere) return a.share_elsewhere > b.share_elsewhere;
   if (a.share != b.share) return a.share > b.share;
   return std::tie(a.verdict, a.routine, a.shape, a.claim) <
          std::tie(b.verdict, b.routine, b.shape, b.claim);
 }
 
 }  // namespace
+
+void include(std::vector<std::string>& names, std::string_view name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
+}
 
 std::vector<Finding> findings(const std::vector<Audit>& audits) {
   std::vector<Occurrence> all = occurrences(audits);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "audit/audit.hpp"
@@ -25,11 +26,18 @@ struct Finding {
   std::vector<Afflicted> families;     ///< the most afflicted first
   std::uint64_t wrong = 0, cases = 0;  ///< over all of those
   double share = 0;                    ///< wrong of all cases in the most afflicted family
-  const Subject* subject = nullptr;    ///< of the example
-  Worst example;
+  /// The same without the families whose rays begin next to the surface: the true t is near 0
+  /// there, so that any error is a large one.
+  double share_elsewhere = 0;
+  const Subject* subject = nullptr;  ///< of the example
+  Worst example;                     ///< from the most afflicted family, elsewhere if there is one
 };
 
-/// The findings of a run, worst first.
+/// Adds a name to those that it is not among.
+void include(std::vector<std::string>& names, std::string_view name);
+
+/// The findings of a run, worst first: by their share elsewhere, then by their share. Conduct on
+/// invalid cases comes last.
 std::vector<Finding> findings(const std::vector<Audit>& audits);
 
 }  // namespace rayaudit

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <tuple>
 
 namespace rayaudit {
 namespace {
@@ -291,14 +292,23 @@ bool is_centre(const Case& question, const Answer& answer) {
   return is(answer.point.x, x) && is(answer.point.y, y) && is(answer.point.z, z);
 }
 
-/// Does the ray reach the world origin at t, up to the roundings of o + t d?
+/// a b == c d, exactly, where no product underflows.
+bool are_equal_products(double a, double b, double c, double d) {
+  const double ab = a * b, cd = c * d;
+  return ab == cd && std::fma(a, b, -ab) == std::fma(c, d, -cd);
+}
+
+/// Does the ray reach the world origin at the root t? Its line does so exactly.
 bool is_at_origin(const Ray<double>& ray, const Real& t) {
+  const auto& [o, d] = std::tie(ray.origin, ray.direction);
+  const bool through = are_equal_products(o.y, d.z, o.z, d.y) &&
+                       are_equal_products(o.z, d.x, o.x, d.z) &&
+                       are_equal_products(o.x, d.y, o.y, d.x);
   const double reach = nearest<double>(t);
-  const auto vanishes = [&](double o, double d) {
-    return std::fabs(o + reach * d) <= std::fabs(o) * 0x1p-50;
+  const auto vanishes = [&](double from, double step) {
+    return std::fabs(from + reach * step) <= std::fabs(from) * 0x1p-50;
   };
-  return vanishes(ray.origin.x, ray.direction.x) && vanishes(ray.origin.y, ray.direction.y) &&
-         vanishes(ray.origin.z, ray.direction.z);
+  return through && vanishes(o.x, d.x) && vanishes(o.y, d.y) && vanishes(o.z, d.z);
 }
 
 /// A point that no ray need come near is told for "no hit"; so is the world origin, which a ray may

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <optional>
@@ -16,6 +15,7 @@
 #include "cli/report_order.hpp"
 #include "cli/selection.hpp"
 #include "geometry/error.hpp"
+#include "reports/explain_line.hpp"
 
 namespace rayaudit {
 namespace {
@@ -67,8 +67,6 @@ Plan plan_of(const AuditOptions& options) {
 }
 
 std::vector<Audit> run_with_progress(const Plan& plan) {
-  std::optional<tbb::global_control> allowed;  // TBB gives no more threads than processors unasked
-  if (plan.threads > 0) allowed.emplace(tbb::global_control::max_allowed_parallelism, plan.threads);
   ProgressBar bar;
   return run(plan, [&](const Progress& progress) { bar.tell(progress); });
 }
@@ -95,10 +93,12 @@ int audit(const AuditOptions& options) {
   const std::vector<ReportOrder> orders = read_report_orders(reports);
   const std::vector<Audit> audits = run_with_progress(plan);
   const Run run = {RAYAUDIT_VERSION, plan, audits, environment()};
-  for (const ReportOrder& order : orders) {
-    const bool colour = order.file.empty() && is_colour_welcome();
-    deliver(order, order.report->write(run, {colour, options.all_findings}));
-  }
+  // Standard output comes last: where its reader has gone, the files are there.
+  for (const bool to_stdout : {false, true})
+    for (const ReportOrder& order : orders)
+      if (order.file.empty() == to_stdout)
+        deliver(order,
+                order.report->write(run, {to_stdout && is_colour_welcome(), options.all_findings}));
   return told_breach(audits, options.fail_on);
 }
 
@@ -123,9 +123,11 @@ void add_numbers(CLI::App& command, const std::shared_ptr<AuditOptions>& options
   add_number(command, "--seed", "other cases for another seed", 0, largest_number,
              [=](std::int64_t n) { options->plan.seed = static_cast<std::uint64_t>(n); })
       ->default_str(std::to_string(default_seed));
-  add_number(command, "--difficulty", "one and the same of each family; else all that it has",
-             INT32_MIN, INT32_MAX,
-             [=](std::int64_t n) { options->plan.difficulty = static_cast<int>(n); });
+  add_number(
+      command, "--difficulty",
+      "draw at difficulty K (see rayaudit list families); default: spread over each family's range",
+      INT32_MIN, INT32_MAX, [=](std::int64_t n) { options->plan.difficulty = static_cast<int>(n); })
+      ->type_name("K");
   add_number(command, "--threads", "else one for each processor; the findings are the same", 1,
              1024, [=](std::int64_t n) { options->plan.threads = static_cast<int>(n); });
 }

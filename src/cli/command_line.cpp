@@ -5,6 +5,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "geometry/error.hpp"
+#include "geometry/quotation.hpp"
 #include "geometry/unknown_name.hpp"
 
 namespace rayaudit {
@@ -31,8 +32,15 @@ std::string unknown_word(const CLI::App& app, const std::string& word) {
   std::vector<std::string_view> known;
   for (const std::string& each : words)
     if (each.starts_with("-") == is_option) known.emplace_back(each);
-  if (known.empty()) return app.get_name() + ": `" + word + "` was not expected";
+  if (known.empty()) return app.get_name() + ": " + quotation(word) + " was not expected";
   return unknown_name(is_option ? "option" : "command", word, known);
+}
+
+std::string expected_command(const CLI::App& program) {
+  std::string commands;
+  for (const CLI::App* command : program.get_subcommands({}))
+    commands += (commands.empty() ? "" : ", ") + command->get_name();
+  return "expected a command, one of " + commands + "; `rayaudit --help` tells more";
 }
 
 std::string sentence(const CLI::App& program, const CLI::ParseError& fault) {
@@ -40,7 +48,7 @@ std::string sentence(const CLI::App& program, const CLI::ParseError& fault) {
   for (const CLI::App* each : {&program, &app})
     if (const auto left = each->remaining(); !left.empty())
       return unknown_word(*each, left.front());
-  if (&app == &program) return "expected a command; `rayaudit --help` names them";
+  if (&app == &program) return expected_command(program);
   return app.get_name() + ": " + fault.what();
 }
 

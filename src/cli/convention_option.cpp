@@ -5,6 +5,7 @@
 #include "cli/names.hpp"
 #include "cli/pieces.hpp"
 #include "geometry/error.hpp"
+#include "geometry/quotation.hpp"
 
 namespace rayaudit {
 
@@ -15,10 +16,12 @@ Convention read_convention(std::string_view text) {
   static const std::array kinds = {name(Kind::tangent), name(Kind::rim), name(Kind::apex),
                                    name(Kind::start),   name(Kind::end), name(Kind::within)};
   Convention convention;
-  for (const std::string_view piece : pieces(text, ',')) {
+  auto stated = pieces(text, ',');
+  if (stated.empty()) stated = {text};
+  for (const std::string_view piece : stated) {
     const std::size_t equals = piece.find('=');
     if (equals == piece.npos)
-      throw Error("--convention: expected KIND=hit or KIND=miss, got `" + std::string(piece) + "`");
+      throw Error("--convention: expected KIND=hit or KIND=miss, got " + quotation(piece));
     const std::size_t kind = 1 + place_of("kind of touch", piece.substr(0, equals), kinds);
     convention.stances[kind] =
         Stance{static_cast<std::uint8_t>(place_of("stance", piece.substr(equals + 1), stances))};

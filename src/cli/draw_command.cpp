@@ -94,8 +94,11 @@ void add_draw_command(CLI::App& program, Command& asked) {
   add_option(*command, "--format", "FORMAT", "every number is one of it: float or double",
              [=](const std::string& text) { options->format = known_format(text); })
       ->default_str("double");
-  add_number(*command, "--difficulty", "one; else all that the family has", INT32_MIN, INT32_MAX,
-             [=](std::int64_t n) { options->difficulty = static_cast<int>(n); });
+  add_number(
+      *command, "--difficulty",
+      "draw at difficulty K (see rayaudit list families); default: spread over the family's range",
+      INT32_MIN, INT32_MAX, [=](std::int64_t n) { options->difficulty = static_cast<int>(n); })
+      ->type_name("K");
   command->footer(
       "These are the very cases that `rayaudit audit` of the same seed puts to its subjects.\n\n"
       "Examples:\n"

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 
 #include "audit/judge.hpp"
@@ -13,6 +15,7 @@
 #include "cli/output.hpp"
 #include "geometry/case_line.hpp"
 #include "geometry/error.hpp"
+#include "geometry/quotation.hpp"
 #include "geometry/unknown_name.hpp"
 #include "reports/figures.hpp"
 #include "subjects/subject.hpp"
@@ -49,10 +52,14 @@ std::optional<Place> place_in_file(const std::string& word) {
 
 std::string line_at(const Place& place) {
   std::ifstream file(place.file);
-  if (!file) throw Error("`" + place.file + "` cannot be read");
+  const auto unreadable = [&] {
+    return Error("`" + place.file + "` cannot be read: " + std::strerror(errno));
+  };
+  if (!file) throw unreadable();
   std::string line;
   std::uint64_t number = 0;
   while (number < place.line && std::getline(file, line)) ++number;
+  if (file.bad()) throw unreadable();
   if (number < place.line)
     throw Error(fmt::format("`{}` has no line {}, only {}", place.file, place.line, number));
   if (is_blank(line)) throw Error(fmt::format("{}:{}: no case here", place.file, place.line));
@@ -204,12 +211,22 @@ std::string subject_rows(const Case& question) {
   return text;
 }
 
+/// The line that is asked about: the words, or what stands at the place that the only word names.
+std::string line_of(const std::vector<std::string>& words) {
+  constexpr const char* wanted = "explain: expected a case line or FILE:LINE";
+  constexpr const char* counted = "; lines count from 1";
+  if (words.empty()) throw Error(std::string(wanted) + counted);
+  if (words.size() > 1) return joined(words);
+  const std::string& word = words[0];
+  if (const auto place = place_in_file(word)) return line_at(*place);
+  if (word.find_first_of(" \t") == word.npos)
+    throw Error(std::string(wanted) + ", got " + quotation(word) + counted);
+  return word;
+}
+
 int explain(const ExplainOptions& options) {
-  if (options.words.empty()) throw Error("explain: expected a case line, or FILE:LINE");
-  const std::optional<Place> place =
-      options.words.size() == 1 ? place_in_file(options.words[0]) : std::nullopt;
-  const std::string line = place ? line_at(*place) : joined(options.words);
-  const auto& [question, answer, why] = read_case_line(line);
+  const std::string line = line_of(options.words);
+  const auto& [question, answer, why, words] = read_case_line(line);
   std::string text = shape_text(question.shape) + ray_text(question.ray);
   if (!why.empty()) text += row("why", why);
   text += truth_text(question, oracle::truth(question));

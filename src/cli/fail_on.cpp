@@ -9,6 +9,7 @@
 #include "cli/pieces.hpp"
 #include "geometry/case_line.hpp"
 #include "geometry/error.hpp"
+#include "geometry/quotation.hpp"
 #include "geometry/unknown_name.hpp"
 #include "reports/figures.hpp"
 
@@ -21,7 +22,7 @@ double read_ulps(std::string_view text) {
   double ulps = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), ulps);
   if (fault != std::errc() || end != text.data() + text.size() || !(ulps >= 0))
-    throw Error("--fail-on: max_ulp must be a number of ulps, got `" + std::string(text) + "`");
+    throw Error("--fail-on: max_ulp must be a number of ulps, got " + quotation(text));
   return ulps;
 }
 
@@ -42,8 +43,9 @@ FailOn read_fail_on(std::string_view text) {
   for (std::uint8_t i = 0; i < verdict_count; ++i) known.push_back(name(Verdict{i}));
   known.push_back(max_ulp);
   FailOn fail_on;
-  if (text.empty()) throw Error("--fail-on: expected a verdict, as in --fail-on false_hit");
-  for (const std::string_view piece : pieces(text, ',')) {
+  const auto named = pieces(text, ',');
+  if (named.empty()) throw Error("--fail-on: expected a verdict, as in --fail-on false_hit");
+  for (const std::string_view piece : named) {
     if (piece.starts_with("max_ulp=")) {
       fail_on.most_ulps = read_ulps(piece.substr(max_ulp.size() + 1));
       continue;
@@ -69,14 +71,6 @@ std::optional<Breach> breach(const FailOn& fail_on, const Tally& tally) {
   return Breach{fmt::format("a t is off by {} ulps, more than {}",
                             figures::magnitude(tally.ulps.largest()), *fail_on.most_ulps),
                 *farthest(tally)};
-}
-
-std::string explain_line(const Worst& worst, const Format& format) {
-  std::string line = "rayaudit explain ";
-  if (format != double_format) line += fmt::format("--format {} ", format.name);
-  line += '\'' + case_line(worst.question) + ' ';
-  write(line, worst.answer);
-  return line + '\'';
 }
 
 }  // namespace rayaudit

@@ -25,7 +25,4 @@ struct Breach {
 };
 std::optional<Breach> breach(const FailOn& fail_on, const Tally& tally);
 
-/// The command that shows a case, with the answer to it that was judged in the format.
-std::string explain_line(const Worst& worst, const Format& format);
-
 }  // namespace rayaudit

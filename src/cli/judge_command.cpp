@@ -11,6 +11,7 @@
 #include "cli/lines.hpp"
 #include "cli/option.hpp"
 #include "cli/output.hpp"
+#include "reports/explain_line.hpp"
 #include "reports/figures.hpp"
 
 namespace rayaudit {
@@ -164,7 +165,8 @@ void add_judge_command(CLI::App& program, Command& asked) {
              [=](const std::string& text) { options->fail_on = read_fail_on(text); });
   command->add_flag("--each", options->each, "write every line with its verdict, no summary");
   command->footer(
-      "A line is a case and what was answered: `hit T`, `at X Y Z`, `yes` or `miss`.\n\n"
+      "A line is a case and what was answered: `hit T`, `at X Y Z`, `yes` or `miss`.\n"
+      "What `rayaudit truth` says is one too: a `touch` is passed over, `invalid` is a miss.\n\n"
       "Examples:\n"
       "  rayaudit draw --shape sphere --family far --count 1e5 | ./mine | rayaudit judge\n"
       "  rayaudit judge answers.txt --format float --fail-on false_hit,false_miss,max_ulp=4\n");

@@ -23,9 +23,10 @@ namespace fs = std::filesystem;
 
 /// Where the bytes go in the end: a link stays one, and its file is replaced.
 fs::path place_of_bytes(const std::string& file) {
-  std::error_code ignored;
-  const fs::path place = fs::weakly_canonical(fs::absolute(file), ignored);
-  return ignored ? fs::path(file) : place;
+  std::error_code fault;
+  const fs::path full = fs::absolute(file, fault);
+  const fs::path place = fault ? fs::path() : fs::weakly_canonical(full, fault);
+  return fault ? fs::path(file) : place;
 }
 
 /// A pipe or a terminal is written as it is; only a file can be replaced by another.
@@ -59,8 +60,11 @@ int write_file(const fs::path& file, std::string_view text, int flags) {
 
 void require_writable(const std::string& file) {
   const fs::path place = place_of_bytes(file);
-  if (fs::is_directory(place)) throw_unwritable(file, EISDIR);
-  if (fs::exists(place) && access(place.c_str(), W_OK) != 0) throw_unwritable(file, errno);
+  std::error_code fault;
+  const fs::file_status status = fs::status(place, fault);
+  if (status.type() == fs::file_type::none) throw_unwritable(file, fault.value());
+  if (fs::is_directory(status)) throw_unwritable(file, EISDIR);
+  if (fs::exists(status) && access(place.c_str(), W_OK) != 0) throw_unwritable(file, errno);
   if (!is_replaceable(place)) return;
   if (const int reason = write_file(draft_of(place), "", O_CREAT | O_EXCL))
     throw_unwritable(file, reason);

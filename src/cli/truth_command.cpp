@@ -1,4 +1,3 @@
-
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/formats.hpp"
@@ -52,17 +51,6 @@ void write_truth(std::string& line, const Case& question, const Truth& truth, Wr
   if (truth.hit() == nullptr) line += " miss";
 }
 
-/// The words of the case alone, as they stand: in front of any answer and of any comment.
-std::string_view case_words(const Line& line) {
-  std::string_view words = line.text.substr(0, comment_start(line.text));
-  // No number and no name of a shape or a range has these letters after a space.
-  if (line.read->answer)
-    for (const std::string_view form :
-         {" hit", " at", " yes", " miss", "\thit", "\tat", "\tyes", "\tmiss"})
-      words = words.substr(0, words.find(form));
-  return words.substr(0, words.find_last_not_of(" \t\r\v\f") + 1);
-}
-
 std::string truths_of(std::span<const Line> lines, const Format& format) {
   std::vector<Case> cases;
   for (const Line& line : lines)
@@ -74,7 +62,7 @@ std::string truths_of(std::span<const Line> lines, const Format& format) {
   std::size_t place = 0;
   for (const Line& line : lines) {
     if (line.read) {
-      text += case_words(line);
+      text += line.read->words;
       write_truth(text, cases[place], truths[place], write_t);
       ++place;
       const std::string_view comment = line.text.substr(comment_start(line.text));
@@ -112,7 +100,7 @@ void add_truth_command(CLI::App& program, Command& asked) {
       "  hit t             the first proper crossing, or\n"
       "  miss              where there is none\n"
       "  invalid WHY       where the case is no question of truth\n"
-      "An answer on the line gives way to it. A line in, a line out.\n\n"
+      "An answer or a truth on the line gives way to it. A line in, a line out.\n\n"
       "Examples:\n"
       "  echo sphere 0 0 0 1 ray 0 0 -3 0 0 1 | rayaudit truth\n"
       "  rayaudit draw --shape cone --family apex --count 5 | rayaudit truth --format float\n");

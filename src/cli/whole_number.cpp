@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geometry/error.hpp"
+#include "geometry/quotation.hpp"
 
 namespace rayaudit {
 namespace {
@@ -45,7 +46,7 @@ std::optional<std::int64_t> read(std::string_view text) {
 
 std::int64_t whole_number(std::string_view option, std::string_view text, std::int64_t least,
                           std::int64_t most) {
-  const std::string told(option), got = ", got `" + std::string(text) + "`";
+  const std::string told(option), got = ", got " + quotation(text);
   const auto number = read(text);
   if (!number) throw Error(told + " must be a whole number" + got);
   if (*number < least) throw Error(told + " must be at least " + std::to_string(least) + got);

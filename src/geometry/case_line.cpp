@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "geometry/error.hpp"
+#include "geometry/quotation.hpp"
 #include "geometry/unknown_name.hpp"
 
 namespace rayaudit {
@@ -48,12 +49,15 @@ class Words {
     return rest_.substr(0, static_cast<std::size_t>(end - rest_.begin()));
   }
 
+  /// What was not yet taken.
+  std::string_view rest() const { return rest_; }
+
  private:
   std::string_view rest_;
 };
 
-std::string quoted(std::string_view word) {
-  return word.empty() ? "the end of the line" : "`" + std::string(word) + "`";
+std::string told(std::string_view word) {
+  return word.empty() ? "the end of the line" : quotation(word);
 }
 
 /// What a number is: the radius of a sphere, the x of its centre.
@@ -172,7 +176,7 @@ std::optional<Real> read_hex(std::string_view text, std::string_view word, const
   const std::optional<int> exponent = exponent_of(text.substr(i));
   if (!any || !exponent) return std::nullopt;
   if (*exponent > exponent_limit || *exponent < -exponent_limit)
-    throw Error(place.owned() + "the exponent of " + place.name() + " " + quoted(word) +
+    throw Error(place.owned() + "the exponent of " + place.name() + " " + told(word) +
                 " is beyond " + std::to_string(exponent_limit));
   const int shift = *exponent - 4 * static_cast<int>(after_point);
   if (length <= 16 && whole < 2 * one) return folded(real(static_cast<double>(whole)), shift);
@@ -181,13 +185,13 @@ std::optional<Real> read_hex(std::string_view text, std::string_view word, const
     if (letter != '.') digits.append(digit_of(letter));
   const std::optional<Real> number = digits.times_power_of_two(shift);
   if (!number)
-    throw Error(place.owned() + place.name() + " " + quoted(word) +
+    throw Error(place.owned() + place.name() + " " + told(word) +
                 " has more digits than three doubles hold");
   return number;
 }
 
 [[noreturn]] void throw_overflow(std::string_view word, const Place& place) {
-  throw Error(place.owned() + place.name() + " " + quoted(word) + " overflows a double");
+  throw Error(place.owned() + place.name() + " " + told(word) + " overflows a double");
 }
 
 /// A decimal, rounded to the nearest double; inf and nan too. Nothing where it is malformed.
@@ -215,7 +219,7 @@ Real read_real(Words& words, const Place& place) {
   } else if (const auto decimal = read_decimal(text, word, place)) {
     number = real(*decimal);
   }
-  if (!number) throw Error(place.owned() + "expected " + place.name() + ", got " + quoted(word));
+  if (!number) throw Error(place.owned() + "expected " + place.name() + ", got " + told(word));
   if (!negative) return *number;
   return {-number->high, -number->middle, -number->low, number->exponent};
 }
@@ -291,10 +295,36 @@ std::optional<Answer> read_answer(Words& words) {
   return answer;
 }
 
+/// Passes over the touches of a truth; were there any?
+bool pass_touches(Words& words) {
+  static constexpr std::array<std::string_view, 6> kinds = {"tangent", "rim", "apex",
+                                                            "start",   "end", "within"};
+  bool any = false;
+  for (; words.peek() == "touch"; any = true) {
+    words.next();
+    const std::string_view kind = words.next();
+    if (kind.empty()) throw Error("touch: expected its kind, got the end of the line");
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+      throw Error(unknown_name("kind of touch", kind, kinds));
+    read_real(words, {"touch", "t"});
+    if (kind == kinds.back()) read_real(words, {"touch", "last t"});
+  }
+  return any;
+}
+
+/// `invalid WHY` refuses the case as clearly as a miss does.
+std::optional<Answer> read_refusal(Words& words) {
+  if (words.peek() != "invalid") return std::nullopt;
+  words.next();
+  if (words.next().empty()) throw Error("invalid: expected why, got the end of the line");
+  return Answer::miss();
+}
+
 /// What may still follow after what was read last.
-std::string expected_after(const CaseLine& line, bool range) {
+std::string expected_after(const CaseLine& line, bool range, bool touched) {
   if (line.answer) return "expected nothing after the answer";
   const std::string answers = "`hit`, `at`, `yes`, `miss` or nothing after the ";
+  if (touched) return "expected `touch`, " + answers + "touch";
   return range ? "expected " + answers + "range's 2 numbers"
                : "expected `range`, " + answers + "ray's 6 numbers";
 }
@@ -333,18 +363,23 @@ CaseLine read_case_line(std::string_view line) {
   const std::string_view word = words.next();
   if (word != "ray")
     throw Error("expected `ray` after the " + numbers_of(read_line.question.shape) + ", got " +
-                quoted(word));
+                told(word));
   read(words, {"ray", "origin"}, ray.origin);
   read(words, {"ray", "direction"}, ray.direction);
+  std::string_view rest = words.rest();
   const bool range = words.peek() == "range";
   if (range) {
     words.next();
     read(words, {"range", "t_min"}, ray.t_min);
     read(words, {"range", "t_max"}, ray.t_max);
+    rest = words.rest();
   }
-  read_line.answer = read_answer(words);
+  read_line.words = line.substr(0, comment - rest.size());
+  const bool touched = pass_touches(words);
+  read_line.answer = touched ? std::nullopt : read_refusal(words);
+  if (!read_line.answer) read_line.answer = read_answer(words);
   if (const std::string_view left = words.next(); !left.empty())
-    throw Error(expected_after(read_line, range) + ", got " + quoted(left));
+    throw Error(expected_after(read_line, range, touched) + ", got " + told(left));
   if (comment < line.size()) read_line.why = trimmed(line.substr(comment + 1));
   return read_line;
 }

@@ -9,12 +9,16 @@
 
 namespace rayaudit {
 
-/// One case on one line of text, exactly: `sphere cx cy cz r ray ox oy oz dx dy dz [range tmin tmax]
-/// [hit t | at x y z | yes | miss] [# why]`. Numbers are C hex floats or decimals, and inf.
+/// One case on one line of text, exactly: `sphere cx cy cz r ray ox oy oz dx dy dz [range tmin
+/// tmax] [hit t | at x y z | yes | miss] [# why]`. Numbers are C hex floats or decimals, and inf.
+/// The words of a truth are read too: in front of the answer any number of `touch KIND t` and
+/// `touch within t t`, which are passed over; in its place `invalid WHY`, a refusal of the case,
+/// which is the answer miss.
 struct CaseLine {
   Case question;
   std::optional<Answer> answer;
-  std::string_view why;  ///< the text after '#', trimmed; points into the line that was read
+  std::string_view why;    ///< the text after '#', trimmed; points into the line that was read
+  std::string_view words;  ///< of the case alone, as they stand; points into the line
 };
 
 /// Reads a case line; throws Error that tells what was expected and what stood there.

@@ -6,7 +6,8 @@
 
 namespace rayaudit {
 
-/// A real number as (high + middle + low) 2^exponent: holds any value of float, double, long double,
+/// A real number as (high + middle + low) 2^exponent: holds any value of float, double, long
+/// double,
 /// __float128 and double-double exactly, and t beyond the range of double. Not unique; where a
 /// function says normal, the parts do not overlap and high is the sum rounded to nearest.
 struct Real {
@@ -55,7 +56,8 @@ Real difference(const Real& a, const Real& b);
 /// The sign of a - b, as exact as difference.
 int compare(const Real& a, const Real& b);
 
-/// x as a number of N, to nearest (ties to even) of the value that x holds; overflows to an infinity.
+/// x as a number of N, to nearest (ties to even) of the value that x holds; overflows to an
+/// infinity.
 template <class N>
 N nearest(const Real& x);
 

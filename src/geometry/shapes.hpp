@@ -68,7 +68,8 @@ struct Cone {
   N radius;
 
   static constexpr std::string_view name = "cone";
-  static constexpr std::string_view about = "the lateral surface only, one nappe, from base rim to apex";
+  static constexpr std::string_view about =
+      "the lateral surface only, one nappe, from base rim to apex";
   static constexpr std::array kinds = {Part::point, Part::point, Part::length};
   static constexpr std::array<std::string_view, 3> labels = {"base", "apex", "radius"};
   auto parts() { return std::tie(base, apex, radius); }
@@ -87,15 +88,18 @@ inline constexpr std::size_t shape_count = std::variant_size_v<Shape>;
 /// The names of the shapes, in the order of the list.
 inline constexpr std::array<std::string_view, shape_count> shape_names =
     []<std::size_t... I>(std::index_sequence<I...>) {
-      return std::array<std::string_view, shape_count>{
-          std::variant_alternative_t<I, Shape>::name...};
-    }(std::make_index_sequence<shape_count>{});
+  return std::array<std::string_view, shape_count>{std::variant_alternative_t<I, Shape>::name...};
+}
+(std::make_index_sequence<shape_count>{});
 
 inline std::string_view name(const Shape& shape) { return shape_names[shape.index()]; }
 
 /// The same shape in another number; exact where every parameter is a number of M.
 template <class M, class N, template <class> class S>
-S<M> in(const S<N>& shape) requires requires { S<N>::kinds; } {
+S<M> in(const S<N>& shape) requires requires {
+  S<N>::kinds;
+}
+{
   struct {
     Vec3<M> operator()(const Vec3<N>& part) const { return rayaudit::in<M>(part); }
     M operator()(const N& part) const { return M(part); }

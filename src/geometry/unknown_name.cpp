@@ -4,6 +4,8 @@
 #include <numeric>
 #include <vector>
 
+#include "geometry/quotation.hpp"
+
 namespace rayaudit {
 namespace {
 
@@ -24,23 +26,21 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
-
 }  // namespace
 
 std::string unknown_name(std::string_view what, std::string_view name,
                          std::span<const std::string_view> known) {
-  std::string sentence = std::string(what) + " " + quoted(name) + " is not known; ";
+  std::string sentence = std::string(what) + " " + quotation(name) + " is not known; ";
   const auto nearest =
       std::min_element(known.begin(), known.end(), [&](std::string_view a, std::string_view b) {
         return distance(name, a) < distance(name, b);
       });
   if (nearest != known.end() &&
       distance(name, *nearest) <= std::max<std::size_t>(name.size() / 3, 1))
-    return sentence + "did you mean " + quoted(*nearest) + "?";
+    return sentence + "did you mean " + quotation(*nearest) + "?";
   sentence += "known are";
   for (std::size_t i = 0; i < known.size(); ++i)
-    sentence += (i == 0 ? " " : ", ") + quoted(known[i]);
+    sentence += (i == 0 ? " " : ", ") + quotation(known[i]);
   return sentence;
 }
 

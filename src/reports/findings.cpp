@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "audit/finding.hpp"
-#include "geometry/case_line.hpp"
+#include "reports/explain_line.hpp"
 #include "reports/figures.hpp"
 #include "reports/wrapped.hpp"
 
@@ -57,11 +57,20 @@ std::string_view sentence(Claim claim) {
       return ": a later one";
     case Claim::declined:
       return ": a touch, declared to be a miss";
+    case Claim::parallel:
+      return ": the ray runs parallel to it and never meets it";
+    case Claim::centre:
+      return ": the point told is the shape's own centre, a sentinel?";
+    case Claim::origin:
+      return ": the hit lies at the world origin, a sentinel?";
   }
   return "";
 }
 
-/// Findings that have their verdict, claim and most afflicted family in common, the worst first.
+/// A place that may stand for a miss: a slip to be mended however few rays show it.
+bool is_sentinel(Claim claim) { return claim == Claim::centre || claim == Claim::origin; }
+
+/// Findings of one routine, verdict and claim, each of another shape; the worst first.
 using Theme = std::vector<Finding>;
 
 std::vector<Theme> themes(const std::vector<Audit>& audits) {
@@ -69,17 +78,13 @@ std::vector<Theme> themes(const std::vector<Audit>& audits) {
   for (Finding& finding : findings(audits)) {
     const auto alike = std::find_if(all.begin(), all.end(), [&](const Theme& theme) {
       const Finding& first = theme.front();
-      return first.verdict == finding.verdict && first.claim == finding.claim &&
-             first.families.front().family == finding.families.front().family;
+      return first.routine == finding.routine && first.verdict == finding.verdict &&
+             first.claim == finding.claim;
     });
     Theme& theme = alike == all.end() ? all.emplace_back() : *alike;
     theme.push_back(std::move(finding));
   }
   return all;
-}
-
-void include(std::vector<std::string>& names, std::string_view name) {
-  if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -88,57 +93,65 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
-/// The families of a theme, each as the finding that it afflicts most has it; the worst first.
-std::vector<Afflicted> afflicted(const Theme& theme) {
-  std::vector<Afflicted> all;
+/// A family of a theme, and the shape that has most of it wrong.
+struct AfflictedShape {
+  Afflicted family;
+  std::size_t shape;
+};
+
+/// The families of a theme, the most afflicted first.
+std::vector<AfflictedShape> afflicted(const Theme& theme) {
+  std::vector<AfflictedShape> all;
   for (const Finding& finding : theme)
     for (const Afflicted& here : finding.families) {
-      const auto known = std::find_if(all.begin(), all.end(), [&](const Afflicted& each) {
-        return each.family == here.family;
+      const auto known = std::find_if(all.begin(), all.end(), [&](const AfflictedShape& each) {
+        return each.family.family == here.family;
       });
       if (known == all.end())
-        all.push_back(here);
-      else if (here.share() > known->share())
-        *known = here;
+        all.push_back({here, finding.shape});
+      else if (here.share() > known->family.share())
+        *known = {here, finding.shape};
     }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Afflicted& a, const Afflicted& b) { return a.share() > b.share(); });
+  std::stable_sort(all.begin(), all.end(), [](const AfflictedShape& a, const AfflictedShape& b) {
+    return a.family.share() > b.family.share();
+  });
   return all;
 }
 
 std::string families(const Theme& theme) {
-  const std::vector<Afflicted> all = afflicted(theme);
+  const std::vector<AfflictedShape> all = afflicted(theme);
   const std::size_t shown = std::min(families_shown, all.size());
   std::vector<std::string> told;
-  for (std::size_t i = 0; i < shown; ++i)
+  for (std::size_t i = 0; i < shown; ++i) {
+    const auto& [family, shape] = all[i];
     told.push_back(
-        fmt::format("{}% of {}", figures::percent(all[i].wrong, all[i].cases), all[i].family));
+        fmt::format("{}% of {}", figures::percent(family.wrong, family.cases), family.family));
+    if (theme.size() > 1) told.back() += fmt::format(" ({})", shape_names[shape]);
+  }
   if (shown < all.size()) told.back() += fmt::format(", less of {} more", all.size() - shown);
   return joined(told);
 }
 
-/// The routines of a theme, each with the shapes; then the numbers.
-std::string culprits(const Theme& theme) {
-  std::vector<std::string> routines, numbers, told;
+/// The shapes and numbers of a theme.
+std::string places(const Theme& theme) {
+  std::vector<std::string> shapes, numbers;
   for (const Finding& finding : theme) {
-    include(routines, finding.routine);
+    include(shapes, shape_names[finding.shape]);
     for (const std::string& number : finding.numbers) include(numbers, number);
   }
-  for (const std::string& routine : routines) {
-    std::vector<std::string> shapes;
-    for (const Finding& finding : theme)
-      if (finding.routine == routine) include(shapes, shape_names[finding.shape]);
-    told.push_back(routine + " (" + joined(shapes) + ")");
-  }
-  return joined(told) + " in " + joined(numbers);
+  return joined(shapes) + " in " + joined(numbers);
 }
 
 std::string paragraph(const Theme& theme, std::size_t rank, const Ink& ink) {
   const Finding& worst = theme.front();
-  return fmt::format("{:>3}. {}: {}{}\n", rank, ink.bad(figures::words(name(worst.verdict))),
-                     sentence(worst.verdict), sentence(worst.claim)) +
-         wrapped(culprits(theme) + ": " + families(theme), 5) +
-         fmt::format("     rayaudit explain '{}'\n", case_line(worst.example.question));
+  const std::string verdict = figures::words(name(worst.verdict));
+  std::string head = wrapped(fmt::format("{} by {}: {}{}", verdict, worst.routine,
+                                         sentence(worst.verdict), sentence(worst.claim)),
+                             5);
+  // Coloured last: escape codes would count as letters.
+  head.replace(0, 5 + verdict.size(), fmt::format("{:>3}. {}", rank, ink.bad(verdict)));
+  return head + wrapped(places(theme) + ": " + families(theme), 5) + "     " +
+         explain_line(worst.example, worst.subject->format) + '\n';
 }
 
 }  // namespace
@@ -146,12 +159,17 @@ std::string paragraph(const Theme& theme, std::size_t rank, const Ink& ink) {
 std::string write_findings(const Run& run, const Ink& ink, bool all) {
   const std::vector<Theme> found = themes(run.audits);
   if (found.empty()) return ink.heading("Findings") + ": none\n";
-  const std::size_t shown = all ? found.size() : std::min(themes_shown, found.size());
   std::string text =
       ink.heading("Findings") +
-      ", worst first: how much of which family the worst of them has wrong; each with "
-      "a case to look into\n";
-  for (std::size_t i = 0; i < shown; ++i) text += '\n' + paragraph(found[i], i + 1, ink);
+      ", worst first: what a routine does, on which shapes, how much of which family; each with a "
+      "case to look into\n(spawned and surface-near do not lead: there the true t is near 0, and "
+      "any error is a large one)\n";
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!all && i >= themes_shown && !is_sentinel(found[i].front().claim)) continue;
+    text += '\n' + paragraph(found[i], i + 1, ink);
+    ++shown;
+  }
   if (shown < found.size())
     text +=
         fmt::format("\n{} more, less severe: --all-findings shows them.\n", found.size() - shown);

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "audit/finding.hpp"
-#include "geometry/case_line.hpp"
+#include "reports/explain_line.hpp"
 #include "reports/report.hpp"
 
 namespace rayaudit {
@@ -20,13 +20,6 @@ Json number(double x) {
   if (std::isnan(x)) return nullptr;
   if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
   return x;
-}
-
-/// The case line, with what the subject answered.
-std::string line(const Worst& worst) {
-  std::string text = case_line(worst.question) + ' ';
-  write(text, worst.answer);
-  return text;
 }
 
 /// Largest and quantiles of errors; null where nothing was measured.
@@ -67,8 +60,8 @@ Json worst(const Tally& tally) {
   Json told = Json::object();
   for (std::size_t i = 0; i < verdict_count; ++i)
     if (const Worst* worst = tally.worst(nth<Verdict>(i)); worst != nullptr)
-      told[std::string(name(nth<Verdict>(i)))] = line(*worst);
-  if (tally.worst_forced) told["forced"] = line(*tally.worst_forced);
+      told[std::string(name(nth<Verdict>(i)))] = answered_line(*worst);
+  if (tally.worst_forced) told["forced"] = answered_line(*tally.worst_forced);
   return told;
 }
 
@@ -104,12 +97,17 @@ Json families(const Finding& finding) {
 }
 
 Json told(const Finding& finding) {
-  return {{"routine", finding.routine},       {"shape", shape_names[finding.shape]},
-          {"verdict", name(finding.verdict)}, {"claim", name(finding.claim)},
-          {"numbers", finding.numbers},       {"families", families(finding)},
-          {"wrong", finding.wrong},           {"cases", finding.cases},
-          {"share", finding.share},           {"subject", finding.subject->name},
-          {"example", line(finding.example)}};
+  return {{"routine", finding.routine},
+          {"shape", shape_names[finding.shape]},
+          {"verdict", name(finding.verdict)},
+          {"claim", name(finding.claim)},
+          {"numbers", finding.numbers},
+          {"families", families(finding)},
+          {"wrong", finding.wrong},
+          {"cases", finding.cases},
+          {"share", finding.share},
+          {"subject", finding.subject->name},
+          {"example", answered_line(finding.example)}};
 }
 
 Json told(const Environment& environment) {

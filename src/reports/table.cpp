@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "reports/figures.hpp"
 #include "reports/findings.hpp"
@@ -48,10 +49,15 @@ std::string cut(std::string_view text, std::size_t width) {
   return text.size() <= width ? std::string(text) : std::string(text.substr(0, width - 1)) + '~';
 }
 
-/// Is a smaller share of a wrong than of b?
-bool is_less_wrong(const Audit* a, const Audit* b) {
-  return static_cast<double>(a->tally.wrong()) / static_cast<double>(a->tally.cases) <
-         static_cast<double>(b->tally.wrong()) / static_cast<double>(b->tally.cases);
+/// The cases that are wrong about the truth: conduct on invalid ones aside.
+std::uint64_t untrue(const Tally& tally) {
+  return tally.wrong() - tally.of(Verdict::invalid_mishandled);
+}
+
+/// Is a smaller share of a untrue than of b?
+bool is_less_untrue(const Audit* a, const Audit* b) {
+  return static_cast<double>(untrue(a->tally)) / static_cast<double>(a->tally.cases) <
+         static_cast<double>(untrue(b->tally)) / static_cast<double>(b->tally.cases);
 }
 
 constexpr std::array shown_verdicts = {Verdict::false_hit,  Verdict::false_miss,
@@ -84,11 +90,11 @@ std::string error(const Histogram& errors, double figure) {
 std::string row(const Line& line, const Ink& ink) {
   const auto holds = [](const Audit* audit) { return audit->tally.wrong() == 0; };
   const auto held = std::count_if(line.audits.begin(), line.audits.end(), holds);
-  const Audit* worst = *std::max_element(line.audits.begin(), line.audits.end(), is_less_wrong);
+  const Audit* worst = *std::max_element(line.audits.begin(), line.audits.end(), is_less_untrue);
   const Tally& there = worst->tally;
-  const std::string most = holds(worst)
+  const std::string most = untrue(there) == 0
                                ? ""
-                               : fmt::format("{:>5}% {}", percent(there.wrong(), there.cases),
+                               : fmt::format("{:>5}% {}", percent(untrue(there), there.cases),
                                              cut(worst->family->id, family_width));
   const Tally& tally = line.tally;
   return fmt::format(
@@ -113,7 +119,7 @@ constexpr std::string_view verdicts_below = " wrong   hit  miss  root     t   in
 std::string heading(std::string_view shape, const Ink& ink) {
   const std::string name = fmt::format("{:<{}}", shape, 2 + subject_width);
   return ink.heading(name) + std::string(verdicts_above) +
-         fmt::format("{:>48}\n{:<{}}", "   ulp forced forced", "", 2 + subject_width) +
+         fmt::format("{:>48}\n{:<{}}", "    ulp  -- forced --", "", 2 + subject_width) +
          std::string(verdicts_below) +
          fmt::format(" {:>5} {:<20}{:>7}{:>7}{:>7}\n", "holds", "most wrong in", "p50", "p99",
                      "max");
@@ -126,6 +132,64 @@ std::string heading_of_families(std::string_view shape, const Ink& ink) {
          fmt::format("{:>6}{:>7}{:>7}{:>7}\n{:<{}}", "", "ulp", "ulp", "forced", "", width) +
          std::string(verdicts_below) +
          fmt::format("{:>6}{:>7}{:>7}{:>7}\n", "touch", "p99", "max", "max");
+}
+
+/// The families that every number of a routine has right on a shape, of how many.
+struct Held {
+  std::size_t held = 0, of = 0;
+
+  double share() const { return of == 0 ? 0 : static_cast<double>(held) / static_cast<double>(of); }
+};
+
+/// A routine, and by shape the families with whether any of its numbers has something wrong there.
+struct Routine {
+  std::string_view name;
+  std::array<std::map<std::string_view, bool>, shape_count> wrong = {};
+
+  Held on(std::size_t shape) const {
+    const auto holds = [](const auto& family) { return !family.second; };
+    const auto held = std::count_if(wrong[shape].begin(), wrong[shape].end(), holds);
+    return {static_cast<std::size_t>(held), wrong[shape].size()};
+  }
+  Held all() const {
+    Held sum;
+    for (std::size_t shape = 0; shape < shape_count; ++shape) {
+      sum.held += on(shape).held;
+      sum.of += on(shape).of;
+    }
+    return sum;
+  }
+};
+
+std::vector<Routine> routines(const std::vector<Audit>& audits) {
+  std::vector<Routine> all;
+  for (const Audit& audit : audits) {
+    const std::string_view subject = audit.subject->name;
+    const std::string_view name = subject.substr(0, subject.rfind('/'));
+    if (all.empty() || all.back().name != name) all.push_back({name});
+    all.back().wrong[audit.shape][audit.family->id] |= audit.tally.wrong() > 0;
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Routine& a, const Routine& b) {
+    return a.all().share() > b.all().share();
+  });
+  return all;
+}
+
+/// The routines, those that hold in the most of their families first.
+std::string holding(const Run& run, const Ink& ink) {
+  std::string text = ink.heading("What holds") +
+                     ": the families that a routine has right in every number, of how many\n";
+  for (const Routine& routine : routines(run.audits)) {
+    text += fmt::format("  {:<17}", cut(routine.name, 16));
+    for (const std::size_t shape : run.plan.shapes) {
+      const auto [held, of] = routine.on(shape);
+      const std::string told = fmt::format("{} {}/{}", shape_names[shape], held, of);
+      text += fmt::format("{:<16}", of > 0 ? told : "");
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += '\n';
+  }
+  return text;
 }
 
 std::string title(const Run& run) {
@@ -206,8 +270,9 @@ std::string write_table(const Run& run, const Look& look) {
   }
   const std::string touches = write_touches(run, ink);
   if (!touches.empty()) text += touches + '\n';
-  return text + write_findings(run, ink, look.all_findings) + '\n' + surroundings(run.environment) +
-         summary(run, ink);
+  text += write_findings(run, ink, look.all_findings) + '\n';
+  if (!each_family) text += holding(run, ink) + '\n';
+  return text + surroundings(run.environment) + summary(run, ink);
 }
 
 }  // namespace rayaudit

@@ -80,6 +80,29 @@ BOOST_AUTO_TEST_CASE(the_worst_share_comes_first_then_verdicts_then_names) {
   check(order, {"e", "d", "c", "a", "b"});
 }
 
+BOOST_AUTO_TEST_CASE(rays_that_begin_next_to_the_surface_do_not_lead) {
+  HandMade made;
+  turn(made.add("a/float", disk, "spawned"), Verdict::wrong_t, Claim::none, 90, 1);
+  turn(made.add(disk, "surface-near"), Verdict::wrong_t, Claim::none, 80, 2);
+  turn(made.add("b/float", disk, "spawned"), Verdict::wrong_t, Claim::none, 40, 3);
+  turn(made.add(disk, "far"), Verdict::wrong_t, Claim::none, 5, 4);
+  turn(made.add("c/float", disk, "far"), Verdict::wrong_t, Claim::none, 6, 5);
+  turn(made.add("d/float", disk, "surface-near"), Verdict::wrong_t, Claim::none, 95, 6);
+  const auto found = findings(made.audits);
+  Names order;
+  for (const Finding& finding : found) order.push_back(finding.routine);
+  check(order, {"c", "b", "d", "a"});
+  BOOST_TEST(found[1].share == 0.4);
+  BOOST_TEST(found[1].share_elsewhere == 0.05);
+  BOOST_TEST(found[3].share_elsewhere == 0);
+  const auto is_example_of = [&](std::size_t place, double x) {
+    const Case& question = found[place].example.question;
+    BOOST_TEST((question == known_case(x)), case_line(question));
+  };
+  is_example_of(1, 4);
+  is_example_of(3, 1);
+}
+
 BOOST_AUTO_TEST_CASE(invalid_cases_come_last) {
   HandMade made;
   turn(made.add("a/float", disk, "invalid"), Verdict::invalid_mishandled, Claim::none, 100);

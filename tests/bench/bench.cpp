@@ -104,7 +104,7 @@ void truth_beside_textbook(benchmark::State& state, std::size_t shape, const Fam
     const bool curved_side = shape_names[shape] == "cylinder" || shape_names[shape] == "cone";
     const double scale = sphere_ns > 0 ? 10 / sphere_ns : 1;
     conclude({what, median(truth_ns) * scale / 1000, curved_side ? 6 : 1.5, true,
-                       "us where textbook/double takes 10 ns"});
+              "us where textbook/double takes 10 ns"});
   }
 }
 
@@ -132,9 +132,8 @@ void whole_audit(benchmark::State& state, std::size_t shape, const Family& famil
     state.SetIterationTime(static_cast<double>(plan.cases) / rates.back());
   }
   state.counters["cases/s"] = median(rates);
-  conclude({fmt::format("audit, {} {}", shape_names[shape], family.id),
-                     median(rates) / 1000, family.id == "anywhere" ? 500.0 : 100.0, false,
-                     "thousand cases a second on a core"});
+  conclude({fmt::format("audit, {} {}", shape_names[shape], family.id), median(rates) / 1000,
+            family.id == "anywhere" ? 500.0 : 100.0, false, "thousand cases a second on a core"});
 }
 
 void two_threads(benchmark::State& state) {
@@ -185,9 +184,12 @@ int main(int count, char** arguments) {
   benchmark::RunSpecifiedBenchmarks();
   const Environment found = environment();
   fmt::print("\n{}, {}\n", found.processor, found.compiler);
+  bool all_met = true;
   for (const auto& [what, value, limit, at_most, unit] : summary) {
     const Line line{what, value, limit, at_most, unit};
+    all_met = all_met && line.is_met();
     fmt::print("{:28} {:8.2f} {} (asked: {} {:g}){}\n", what, value, unit,
                at_most ? "at most" : "at least", limit, line.is_met() ? "" : "   NOT MET");
   }
+  return all_met ? 0 : 1;
 }

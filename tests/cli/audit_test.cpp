@@ -87,6 +87,16 @@ BOOST_AUTO_TEST_CASE(reports_go_to_files_whole_and_nothing_else_is_left) {
   BOOST_TEST(folder.files() == 3);
 }
 
+BOOST_AUTO_TEST_CASE(a_reader_of_stdout_that_has_gone_costs_no_file) {
+  const Folder folder;
+  const auto ended = folder.run(
+      "rayaudit audit textbook/float --shape disk --cases 10_000 --report table "
+      "--report json=a.json | true");
+  BOOST_TEST(ended.code == 141);
+  BOOST_TEST(json::parse(folder.text("a.json"))["audits"].size() > 1);
+  BOOST_TEST(folder.files() == 1);
+}
+
 BOOST_AUTO_TEST_CASE(a_run_that_is_stopped_leaves_the_old_report) {
   const Folder folder;
   folder.write("report.json", "old");

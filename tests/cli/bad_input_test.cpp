@@ -60,15 +60,24 @@ BOOST_AUTO_TEST_CASE(a_number_that_is_none_or_out_of_range_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(an_incomplete_command_line_is_refused) {
-  BOOST_TEST(run("rayaudit") == refused(2, "expected a command; `rayaudit --help` names them"));
-  BOOST_TEST(run("rayaudit explain") == refused(2, "explain: expected a case line, or FILE:LINE"));
+  BOOST_TEST(run("rayaudit") ==
+             refused(2,
+                     "expected a command, one of audit, explain, draw, truth, judge, list; "
+                     "`rayaudit --help` tells more"));
+  BOOST_TEST(run("rayaudit explain") ==
+             refused(2, "explain: expected a case line or FILE:LINE; lines count from 1"));
   BOOST_TEST(run("rayaudit audit --cases").code == 2);
   BOOST_TEST(run("rayaudit draw --shape disk --count 3").err ==
              "rayaudit: draw: --family is required\n");
   BOOST_TEST(run("rayaudit audit --convention tangent") ==
              refused(2, "--convention: expected KIND=hit or KIND=miss, got `tangent`"));
-  BOOST_TEST(run("rayaudit audit --fail-on ''") ==
-             refused(2, "--fail-on: expected a verdict, as in --fail-on false_hit"));
+  for (const std::string nothing : {"''", ",", ",,"}) {
+    BOOST_TEST(run("rayaudit audit --fail-on " + nothing) ==
+               refused(2, "--fail-on: expected a verdict, as in --fail-on false_hit"));
+    BOOST_TEST(run("rayaudit audit --convention " + nothing) ==
+               refused(2, "--convention: expected KIND=hit or KIND=miss, got `" +
+                              (nothing == "''" ? "" : nothing) + "`"));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_family_that_does_not_draw_the_shape_draws_nothing) {
@@ -106,6 +115,16 @@ BOOST_AUTO_TEST_CASE(a_malformed_line_is_refused_with_its_place_after_all_lines_
   BOOST_TEST(folder.run("rayaudit explain bad.txt:3").code == 2);
 }
 
+BOOST_AUTO_TEST_CASE(a_malformed_line_far_down_has_its_own_number) {
+  const auto ended =
+      run("{ rayaudit draw --shape cone --family anywhere --count 20k; echo sphere; echo disk; } "
+          ">cases\n"
+          "rayaudit truth cases | wc -l");
+  BOOST_TEST(ended.out == "20000\n");
+  BOOST_TEST(ended.err ==
+             "rayaudit: cases:20001: sphere: expected centre x, got the end of the line\n");
+}
+
 BOOST_AUTO_TEST_CASE(a_number_that_overflows_is_refused) {
   const auto ended = run("echo sphere 0 0 0 1e999 ray 0 0 -3 0 0 1 | rayaudit truth");
   BOOST_TEST(ended == refused(2, "stdin:1: sphere: radius `1e999` overflows a double"));
@@ -121,12 +140,18 @@ BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_refused) {
   BOOST_TEST(run("rayaudit truth nowhere.txt") ==
              refused(2, "`nowhere.txt` cannot be read: No such file or directory"));
   BOOST_TEST(run("rayaudit judge /tmp") == refused(2, "`/tmp` cannot be read: Is a directory"));
-  BOOST_TEST(run("rayaudit explain nowhere.txt:3") == refused(2, "`nowhere.txt` cannot be read"));
+  BOOST_TEST(run("rayaudit explain nowhere.txt:3") ==
+             refused(2, "`nowhere.txt` cannot be read: No such file or directory"));
+  BOOST_TEST(run("rayaudit explain /tmp:3") == refused(2, "`/tmp` cannot be read: Is a directory"));
   const Folder folder;
   folder.write("two.txt", "\nsphere 0 0 0 1 ray 0 0 -3 0 0 1\n");
   BOOST_TEST(folder.run("rayaudit explain two.txt:3") ==
              refused(2, "`two.txt` has no line 3, only 2"));
   BOOST_TEST(folder.run("rayaudit explain two.txt:1") == refused(2, "two.txt:1: no case here"));
+  for (const std::string word : {"two.txt", "two.txt:0", "two.txt:", "two.txt:2x", "/tmp"})
+    BOOST_TEST(folder.run("rayaudit explain " + word) ==
+               refused(2, "explain: expected a case line or FILE:LINE, got `" + word +
+                              "`; lines count from 1"));
 }
 
 BOOST_AUTO_TEST_CASE(a_report_that_cannot_be_written_is_refused_before_the_run) {
@@ -142,6 +167,12 @@ BOOST_AUTO_TEST_CASE(a_report_that_cannot_be_written_is_refused_before_the_run) 
              refused(2, "two reports to the file `./a`"));
   BOOST_TEST(run("rayaudit audit --cases 1e12 --report json=") ==
              refused(2, "--report json=: expected a file after the `=`"));
+  const std::string long_name(5000, 'a');
+  BOOST_TEST(run("rayaudit audit --cases 1e12 --report json=/tmp/" + long_name) ==
+             refused(2, "report `/tmp/" + long_name + "` cannot be written: File name too long"));
+  BOOST_TEST(run("mkdir gone && cd gone && rmdir ../gone\n"
+                 "rayaudit audit --cases 1e12 --report json=a.json") ==
+             refused(2, "report `a.json` cannot be written: No such file or directory"));
   const Folder folder;
   folder.run("rayaudit audit --cases 1e12 --report json=fine.json --report csv=nowhere/report.csv");
   BOOST_TEST(folder.files() == 0);
@@ -150,6 +181,28 @@ BOOST_AUTO_TEST_CASE(a_report_that_cannot_be_written_is_refused_before_the_run) 
 BOOST_AUTO_TEST_CASE(a_full_disk_is_told) {
   BOOST_TEST(run("rayaudit list >/dev/full") ==
              refused(2, "standard output cannot be written: No space left on device"));
+}
+
+BOOST_AUTO_TEST_CASE(a_report_beyond_the_largest_file_allowed_leaves_nothing) {
+  const Folder folder;
+  BOOST_TEST(folder.run("ulimit -f 1\n"
+                        "rayaudit audit 'textbook/*' --cases 10 --report json=a.json") ==
+             refused(2, "report `a.json` cannot be written: File too large"));
+  BOOST_TEST(folder.files() == 0);
+}
+
+#ifndef __SANITIZE_ADDRESS__  // which takes more memory than any limit
+BOOST_AUTO_TEST_CASE(a_line_that_memory_cannot_hold_is_told) {
+  BOOST_TEST(run("(ulimit -v 400000; rayaudit truth) < <(head -c 600M /dev/zero)") ==
+             refused(2, "there is not enough memory"));
+}
+#endif
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_printed_is_shown_as_a_number_and_long_words_are_cut) {
+  BOOST_TEST(run("printf 'sphere 0 0 \\033[2J\\000 1' | rayaudit truth") ==
+             refused(2, "stdin:1: sphere: expected centre z, got `\\x1b[2J\\x00`"));
+  BOOST_TEST(run("rayaudit audit --cases " + std::string(100, 'x')) ==
+             refused(2, "--cases must be a whole number, got `" + std::string(60, 'x') + "...`"));
 }
 
 BOOST_AUTO_TEST_CASE(a_reader_that_closes_its_pipe_early_ends_it_silently) {

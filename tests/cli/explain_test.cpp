@@ -93,6 +93,11 @@ BOOST_AUTO_TEST_CASE(the_answer_on_the_line_is_judged_first_in_the_format_asked_
              "    1    0.667  beyond");
 }
 
+BOOST_AUTO_TEST_CASE(a_line_with_a_truth_is_explained) {
+  BOOST_TEST(told("sphere 0 0 0 1 ray 0 1 -3 0 0 1 touch tangent 3 miss") ==
+             told("sphere 0 0 0 1 ray 0 1 -3 0 0 1"));
+}
+
 BOOST_AUTO_TEST_CASE(a_line_of_a_file_is_explained_by_its_place) {
   const Folder folder;
   folder.write("a b.txt", "# first\ndisk 0 0 0 0 1 0 1 ray 3 2 0 0 -1 0\n");

@@ -53,6 +53,27 @@ BOOST_AUTO_TEST_CASE(truth_takes_the_place_of_an_answer) {
              printed("sphere 0 0 0 1\tray 0 0 -3 0 0 1 hit 0x1p+1\n"));
 }
 
+/// Cases with each kind of touch and an invalid one.
+const std::string touched =
+    "printf '%s\\n' 'sphere 0 0 0 1 ray 0 1 -3 0 0 1' 'disk 0 0 0 0 0 1 1 ray 1 0 -2 0 0 1' "
+    "'cone 0 0 0 0 1 0 1 ray -3 1 0 1 0 0' 'sphere 0 0 0 1 ray 0 0 -1 0 0 1' "
+    "'sphere 0 0 0 1 ray 0 0 -3 0 0 1 range 0 2' 'disk 0 0 0 0 1 0 1 ray -3 0 0 1 0 0 # why' "
+    "'sphere 0 0 0 -1 ray 0 0 -3 0 0 1' >cases\n";
+
+BOOST_AUTO_TEST_CASE(truth_takes_the_place_of_a_truth) {
+  const auto ended = run(touched + "rayaudit truth cases | tee once | rayaudit truth | cmp - once");
+  BOOST_TEST(ended == printed(""));
+  for (const std::string kind : {"tangent", "rim", "apex", "start", "end", "within"})
+    BOOST_TEST(contains(run(touched + "rayaudit truth cases").out, " touch " + kind + " 0x"));
+}
+
+BOOST_AUTO_TEST_CASE(what_truth_says_of_touches_and_invalid_cases_can_be_judged) {
+  const auto verdicts =
+      run(touched + "rayaudit truth cases | rayaudit judge --each | sed 's/.*# //'");
+  BOOST_TEST(verdicts == printed("touch\ntouch\ntouch\nright 0 ulps\ntouch\ntouch\n"
+                                 "invalid_handled\n"));
+}
+
 BOOST_AUTO_TEST_CASE(truth_answers_each_line_before_it_waits_for_the_next) {
   const auto ended =
       run("coproc rayaudit truth\n"

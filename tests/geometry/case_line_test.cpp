@@ -261,7 +261,36 @@ BOOST_AUTO_TEST_CASE(a_number_that_overflows_is_refused) {
   const std::string long_word =
       "0x1" + std::string(30, '0') + "1" + std::string(30, '0') + "1" + std::string(30, '0') + "1";
   BOOST_TEST(refusal("sphere 0 0 0 1" + ray + " hit " + long_word) ==
-             "hit: t `" + long_word + "` has more digits than three doubles hold");
+             "hit: t `" + long_word.substr(0, 60) + "...` has more digits than three doubles hold");
+}
+
+BOOST_AUTO_TEST_CASE(a_truth_is_read_for_its_answer) {
+  const std::string words = "sphere 0 0 0 1" + ray;
+  const auto read = [&](const std::string& truth) { return read_case_line(words + " " + truth); };
+  BOOST_TEST((answer_of(read("touch tangent 3 miss")) == Answer::miss()));
+  BOOST_TEST(
+      (answer_of(read("touch start 0 touch within 1 0x1p+1 hit 5")) == Answer::hit(real(5.0))));
+  BOOST_TEST((answer_of(read("invalid radius")) == Answer::miss()));
+  BOOST_TEST(!read("touch rim 3").answer);
+  BOOST_TEST(refusal(words + " touch") == "touch: expected its kind, got the end of the line");
+  BOOST_TEST(refusal(words + " touch rmi 3") ==
+             "kind of touch `rmi` is not known; did you mean `rim`?");
+  BOOST_TEST(refusal(words + " touch within 3 miss") == "touch: expected last t, got `miss`");
+  BOOST_TEST(refusal(words + " touch rim 3 invalid nan") ==
+             "expected `touch`, `hit`, `at`, `yes`, `miss` or nothing after the touch, got "
+             "`invalid`");
+  BOOST_TEST(refusal(words + " invalid") == "invalid: expected why, got the end of the line");
+  BOOST_TEST(refusal(words + " invalid nan miss") ==
+             "expected nothing after the answer, got `miss`");
+}
+
+BOOST_AUTO_TEST_CASE(the_words_of_the_case_alone_are_told) {
+  const std::string words = "  sphere 0 0 0 1\tray 0 0 5 0 0 -1";
+  for (const std::string more : {"", " range 0 1"})
+    for (const std::string rest : {"", " \t", " miss # why", "\thit 3", " touch rim 3 miss", "#"}) {
+      const std::string line = words + more + rest;
+      BOOST_TEST(read_case_line(line).words == words + more, line);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(comments_and_blank_lines_are_told_apart_from_cases) {

@@ -1,0 +1,21 @@
+#include "reports/explain_line.hpp"
+
+#include <fmt/format.h>
+
+#include "geometry/case_line.hpp"
+
+namespace rayaudit {
+
+std::string answered_line(const Worst& worst) {
+  std::string line = case_line(worst.question) + ' ';
+  write(line, worst.answer);
+  return line;
+}
+
+std::string explain_line(const Worst& worst, const Format& format) {
+  std::string line = "rayaudit explain ";
+  if (format != double_format) line += fmt::format("--format {} ", format.name);
+  return line + '\'' + answered_line(worst) + '\'';
+}
+
+}  // namespace rayaudit
