@@ -108,11 +108,11 @@ void truth_beside_textbook(benchmark::State& state, std::size_t shape, const Fam
   }
 }
 
-Plan plan_of(std::size_t shape, const Family& family, int threads) {
+Plan plan_of(std::size_t shape, const Family& family, int threads, std::uint64_t chunks = 100) {
   return {.subjects = {&textbook()},
           .families = {&family},
           .shapes = {shape},
-          .cases = 100 * chunk_cases,
+          .cases = chunks * chunk_cases,
           .seed = 1,
           .threads = threads};
 }
@@ -138,8 +138,8 @@ void whole_audit(benchmark::State& state, std::size_t shape, const Family& famil
 
 void two_threads(benchmark::State& state) {
   std::vector<double> one, two;
-  const Plan alone = plan_of(1, family_called("anywhere"), 1);
-  const Plan both = plan_of(1, family_called("anywhere"), 2);
+  const Plan alone = plan_of(1, family_called("anywhere"), 1, 1000);
+  const Plan both = plan_of(1, family_called("anywhere"), 2, 1000);
   for (auto _ : state)
     for (int round = 0; round < 5; ++round) {
       one.push_back(rate(alone));
