@@ -165,9 +165,9 @@ std::string in_words(const mpz_class& p, const mpz_class& f, int e, const mpz_cl
 std::optional<std::string> closed_form(IntegerRadical x, int exponent) {
   constexpr std::size_t readable = 64;
   if (exponent > 0)
-    x.p <<= exponent, x.d <<= 2 * exponent;
+    x.p <<= exponent, x.d <<= 2UL * static_cast<unsigned long>(exponent);
   else
-    x.q <<= -exponent;
+    x.q <<= static_cast<unsigned long>(-static_cast<long>(exponent));
   if (mpz_sizeinbase(x.d.get_mpz_t(), 10) > readable) return {};
   auto [f, d] = x.e == 0 ? std::pair<mpz_class, mpz_class>{0, 0} : without_squares(x.d);
   const mpz_class shared = gcd(gcd(x.p, f), x.q);
@@ -178,7 +178,7 @@ std::optional<std::string> closed_form(IntegerRadical x, int exponent) {
 }
 
 /// 0.DIGITS 10^exponent as a decimal, with an exponent where the point would be far away.
-std::string with_point(std::string digits, long exponent) {
+std::string with_point(const std::string& digits, long exponent) {
   const auto size = static_cast<long>(digits.size());
   if (exponent > 40 || exponent < -4)
     return digits.substr(0, 1) + (size > 1 ? "." + digits.substr(1) : "") + "e" +
@@ -213,7 +213,7 @@ template long double nearest(const Radical&);
 Spelled spelled(const Radical& x, int digits) {
   if (is_zero(x)) return {"0", "0", true};
   const IntegerRadical whole = integers(x);
-  const auto bits = static_cast<std::size_t>(4 * digits + 64);
+  const auto bits = 4 * static_cast<std::size_t>(digits) + 64;
   Digits leading = digits_of(whole, bits);
   leading.exponent += x.exponent;
   const std::size_t size = mpz_sizeinbase(leading.mantissa.get_mpz_t(), 2);
