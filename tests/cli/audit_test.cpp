@@ -138,7 +138,11 @@ BOOST_AUTO_TEST_CASE(a_convention_makes_touches_right_or_wrong) {
 }
 
 BOOST_AUTO_TEST_CASE(a_terminal_is_shown_progress_and_colour_unless_it_wants_none) {
-  // script gives the program a terminal of its own.
+  // script gives the program a terminal of its own; a chroot without /dev/pts has none to give.
+  if (!std::filesystem::exists("/dev/pts/ptmx")) {
+    BOOST_TEST(!contains(run("rayaudit audit textbook/float --cases 10").out, "\033"));
+    return;
+  }
   const std::string audit = "$RAYAUDIT audit --shape disk --cases 20_000";
   const auto shown = run("script -qec '" + audit + "' /dev/null");
   BOOST_TEST(contains(shown.out, " cases/s  "));
