@@ -72,13 +72,14 @@ BOOST_AUTO_TEST_CASE(range_answer_and_comment_are_each_optional) {
   BOOST_TEST(bare.question.ray.t_max == infinity);
   BOOST_TEST(!bare.answer);
   BOOST_TEST(bare.why == "");
-  const CaseLine full =
-      read_case_line("\t sphere 0 0 0 1" + ray + " range -inf 0x1p3  hit 4\t#  head on \r");
+  const std::string line = "\t sphere 0 0 0 1" + ray + " range -inf 0x1p3  hit 4\t#  head on \r";
+  const CaseLine full = read_case_line(line);
   BOOST_TEST(full.question.ray.t_min == -infinity);
   BOOST_TEST(full.question.ray.t_max == 8);
   BOOST_TEST((full.answer == Answer::hit(real(4.0))));
   BOOST_TEST(full.why == "head on");
-  BOOST_TEST(read_case_line("sphere 0 0 0 1" + ray + "#why").why == "why");
+  const std::string close = "sphere 0 0 0 1" + ray + "#why";
+  BOOST_TEST(read_case_line(close).why == "why");
 }
 
 BOOST_AUTO_TEST_CASE(each_form_of_answer_is_read) {
