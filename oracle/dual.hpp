@@ -44,6 +44,13 @@ template <class V, std::size_t n>
 }
 
 template <class V, std::size_t n>
+[[gnu::always_inline]] inline Dual<V, n> operator-(const Dual<V, n>& a) {
+  Dual<V, n> negative(-a.value);
+  for (std::size_t i = 0; i < n; ++i) negative.by[i] = -a.by[i];
+  return negative;
+}
+
+template <class V, std::size_t n>
 [[gnu::always_inline]] inline Dual<V, n> operator-(const Dual<V, n>& a, const Dual<V, n>& b) {
   Dual<V, n> difference(a.value - b.value);
   for (std::size_t i = 0; i < n; ++i) difference.by[i] = a.by[i] - b.by[i];

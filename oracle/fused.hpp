@@ -16,6 +16,16 @@ template <class F>
   (std::make_index_sequence<shape_count>{});
 }
 
+/// Does the processor have fused multiplications?
+inline bool has_fused() {
+#ifdef __x86_64__
+  static const bool fused = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  return fused;
+#else
+  return false;
+#endif
+}
+
 /// Runs body, a callable that is inlined into its caller, with fused multiplications in hardware
 /// where the processor has them. The operations, results and bounds are the same: only that
 /// __builtin_fma is an instruction here and a call of the library there.
@@ -32,8 +42,7 @@ template <class Body>
 template <class Body>
 void run_fused(const Body& body) {
 #ifdef __x86_64__
-  static const bool fused = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  if (fused) return run_with_fma(body);
+  if (has_fused()) return run_with_fma(body);
 #endif
   run_without_fma(body);
 }

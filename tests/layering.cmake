@@ -4,7 +4,7 @@ cmake_minimum_required(VERSION 3.25)
 
 set(layers geometry numbers routines oracle replay families subjects audit scenes reports cli)
 set(geometry_may_include "")
-set(numbers_may_include "")
+set(numbers_may_include geometry)
 set(routines_may_include geometry numbers)
 set(oracle_may_include geometry)
 set(replay_may_include geometry numbers routines)

@@ -10,6 +10,8 @@
 #include <mutex>
 #include <tuple>
 
+#include "oracle/replay/replay.hpp"
+
 namespace rayaudit {
 namespace {
 
@@ -34,7 +36,7 @@ std::vector<Group> grouped(const std::vector<Audit>& audits) {
   std::vector<Group> groups;
   std::map<std::tuple<const Family*, std::size_t, int>, std::size_t> places;
   for (std::size_t i = 0; i < audits.size(); ++i) {
-    const auto& [subject, family, shape, tally] = audits[i];
+    const auto& [subject, family, shape, tally, most_ulps] = audits[i];
     const Format& format = subject->drawn_in();
     const auto [place, is_new] =
         places.try_emplace({family, shape, format.precision}, groups.size());
@@ -55,9 +57,87 @@ struct SharedTally {
   }
 };
 
-/// Puts a portion of cases to every subject of a group.
-void judge_portion(const Plan& plan, const Group& group, const std::vector<Audit>& audits,
-                   std::span<const Case> cases, std::uint64_t first, std::vector<Tally>& tallies) {
+/// An answer whose cause may be looked for.
+struct Suspect {
+  std::uint64_t place;  ///< which case of the audit it answers
+  Answer answer;
+  Judgement judgement;
+};
+
+/// A number that depends on seed and place alone, and on every bit of both (the finalizer of
+/// SplitMix64: Steele, Lea & Flood, "Fast Splittable Pseudorandom Number Generators", 2014).
+std::uint64_t lot(std::uint64_t seed, std::uint64_t place) {
+  std::uint64_t x = seed + place * 0x9e3779b97f4a7c15;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+  return x ^ (x >> 31);
+}
+
+/// Those to be replayed: of each chunk some few, drawn by lot.
+void draw_lots(std::vector<Suspect>& suspects, std::uint64_t seed) {
+  if (suspects.size() <= replays_a_chunk) return;
+  std::partial_sort(
+      suspects.begin(), suspects.begin() + replays_a_chunk, suspects.end(),
+      [&](const Suspect& a, const Suspect& b) { return lot(seed, a.place) < lot(seed, b.place); });
+  suspects.resize(replays_a_chunk);
+}
+
+/// Finds the cause of an answer, from nothing but the case and what was said.
+Diagnosis diagnosis_of(const Plan& plan, const Audit& audit, const Case& question,
+                       const Answer& answer, const Judgement& judgement) {
+  const oracle::Truth truth = oracle::truth(question, oracle::bits_for(audit.subject->format));
+  Settled settled(question, truth);
+  return diagnosis({settled, answer, judgement, audit.most_ulps}, *audit.subject,
+                   replay::replay_of(audit.subject->name), plan.convention);
+}
+
+/// One subject's part in a chunk.
+struct Part {
+  const Audit& audit;
+  const replay::Replay* replay;
+  Tally tally = {};
+  std::vector<Suspect> suspects = {};
+  std::size_t slow_margins = 0;
+
+  explicit Part(const Audit& of) : audit(of), replay(replay::replay_of(of.subject->name)) {}
+
+  /// The margin of a case in u of the subject's format; NaN for an invalid one, and where it would
+  /// take long and this has been so too often in the chunk.
+  double margin(const Plan& plan, Settled& settled) {
+    const std::optional<double> quick = settled.quick_reach();
+    if (!quick && !plan.thorough && ++slow_margins > slow_margins_a_chunk)
+      return Judgement::unmeasured;
+    return std::ldexp(quick ? *quick : settled.reach(), audit.subject->format.precision);
+  }
+
+  bool is_suspect(const Judgement& judgement) const {
+    return is_wrong(judgement.verdict) || (audit.most_ulps && judgement.ulps > *audit.most_ulps);
+  }
+
+  void look_into_suspects(const Plan& plan, std::span<const Case> cases, std::uint64_t first) {
+    if (!plan.thorough) draw_lots(suspects, plan.seed);
+    for (const auto& [place, answer, judgement] : suspects)
+      tally.outcome(judgement.verdict, judgement.claim)
+          .causes.add(diagnosis_of(plan, audit, cases[place - first], answer, judgement));
+  }
+};
+
+/// Runs a portion of cases with error bounds.
+void prove_portion(std::span<const Case> cases, std::span<Settled> settled, std::uint64_t first,
+                   Part& part) {
+  const Subject& subject = *part.audit.subject;
+  const auto& prove = subject.prove[part.audit.shape];
+  if (!prove || part.replay == nullptr) return;
+  std::array<Proved, portion> proofs;
+  prove(cases, {proofs.data(), cases.size()});
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    if (settled[i].truth().invalid == oracle::Invalid::no)
+      part.tally.certificate.add(settled[i], proofs[i], *part.replay, subject.format, first + i);
+}
+
+/// Puts a portion of cases to every subject of a group, the first of them closely.
+void judge_portion(const Plan& plan, const Group& group, std::span<const Case> cases,
+                   std::uint64_t first, std::size_t close, std::vector<Part>& parts) {
   std::array<oracle::Truth, portion> truths;
   std::array<Answer, portion> answers;
   const std::size_t size = cases.size();
@@ -65,12 +145,19 @@ void judge_portion(const Plan& plan, const Group& group, const std::vector<Audit
   std::vector<Settled> settled;
   settled.reserve(size);
   for (std::size_t i = 0; i < size; ++i) settled.emplace_back(cases[i], truths[i]);
-  for (std::size_t s = 0; s < group.audits.size(); ++s) {
-    const Subject& subject = *audits[group.audits[s]].subject;
+  for (Part& part : parts) {
+    const Subject& subject = *part.audit.subject;
     subject.answer[group.shape](cases, {answers.data(), size});
-    for (std::size_t i = 0; i < size; ++i)
-      tallies[s].add(settled[i], answers[i],
-                     judge(settled[i], answers[i], subject.format, plan.convention), first + i);
+    for (std::size_t i = 0; i < size; ++i) {
+      const Judgement judgement = judge(settled[i], answers[i], subject.format, plan.convention);
+      const bool wrong = is_wrong(judgement.verdict);
+      const double margin =
+          wrong || i < close ? part.margin(plan, settled[i]) : Judgement::unmeasured;
+      if (i < close) part.tally.curve.add(margin, wrong);
+      part.tally.add(settled[i], answers[i], judgement, first + i, margin);
+      if (part.is_suspect(judgement)) part.suspects.push_back({first + i, answers[i], judgement});
+    }
+    prove_portion(cases.first(close), settled, first, part);
   }
 }
 
@@ -80,12 +167,25 @@ void run_chunk(const Plan& plan, const Group& group, const std::vector<Audit>& a
   const std::uint64_t first = chunk * chunk_cases;
   std::vector<Case> cases(std::min<std::uint64_t>(chunk_cases, plan.cases - first));
   draw(*group.family, group.shape, group.drawn_in, plan.difficulty, plan.seed, chunk, cases);
-  std::vector<Tally> tallies(group.audits.size());
-  for (std::size_t i = 0; i < cases.size(); i += portion)
-    judge_portion(plan, group, audits,
-                  std::span(cases).subspan(i, std::min(portion, cases.size() - i)), first + i,
-                  tallies);
-  for (std::size_t s = 0; s < group.audits.size(); ++s) shared[group.audits[s]].merge(tallies[s]);
+  std::vector<Part> parts;
+  for (const std::size_t audit : group.audits) parts.emplace_back(audits[audit]);
+  for (std::size_t i = 0; i < cases.size(); i += portion) {
+    const std::size_t size = std::min(portion, cases.size() - i);
+    const std::size_t close = plan.thorough ? size : i == 0 ? std::min(close_a_chunk, size) : 0;
+    judge_portion(plan, group, std::span(cases).subspan(i, size), first + i, close, parts);
+  }
+  for (std::size_t s = 0; s < parts.size(); ++s) {
+    parts[s].look_into_suspects(plan, cases, first);
+    shared[group.audits[s]].merge(parts[s].tally);
+  }
+}
+
+/// Finds the cause of every worst case that reports tell of.
+void look_into_worst(const Plan& plan, Audit& audit) {
+  for (Outcome& outcome : audit.tally.outcomes)
+    if (is_wrong(outcome.verdict))
+      outcome.worst->diagnosis = diagnosis_of(plan, audit, outcome.worst->question,
+                                              outcome.worst->answer, outcome.worst->judgement);
 }
 
 /// Counts judged cases and passes the count on, from one thread at a time.
@@ -117,7 +217,10 @@ std::vector<Audit> planned(const Plan& plan) {
     for (const std::size_t shape : plan.shapes)
       for (const Family* family : plan.families)
         if (subject->answers(shape) && family->draw[shape] != nullptr)
-          audits.push_back({subject, family, shape, {}});
+          audits.push_back({subject, family, shape, {}, {}});
+  if (plan.bounds.empty()) return audits;
+  std::erase_if(audits, [&](const Audit& audit) { return !is_named(audit, plan.bounds); });
+  for (Audit& audit : audits) audit.most_ulps = most_ulps(audit, plan.bounds);
   return audits;
 }
 
@@ -139,8 +242,12 @@ std::vector<Audit> run(const Plan& plan, const std::function<void(Progress)>& te
       teller.add(std::min<std::uint64_t>(chunk_cases, plan.cases - first) * group.audits.size());
     });
   });
-  teller.end();
   for (std::size_t i = 0; i < audits.size(); ++i) audits[i].tally = std::move(shared[i].tally);
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, audits.size(),
+                      [&](std::size_t i) { look_into_worst(plan, audits[i]); });
+  });
+  teller.end();
   return audits;
 }
 

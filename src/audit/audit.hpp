@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "audit/bound.hpp"
 #include "audit/tally.hpp"
 #include "families/family.hpp"
 #include "subjects/subject.hpp"
@@ -21,8 +22,22 @@ struct Plan {
   std::uint64_t seed = 0;
   std::optional<int> difficulty = {};
   Convention convention = {};
+  /// What the subjects are held to; where to anything, only what these name is audited.
+  std::vector<Bound> bounds = {};
+  /// Margins, proofs and causes of every case, and not of a share: of each chunk of 1,024 cases the
+  /// margins and proofs of the first close_a_chunk, and the causes of replays_a_chunk wrong
+  /// answers.
+  bool thorough = false;
   int threads = 0;  ///< 0: one for each processor
 };
+
+/// So many cases of each chunk are looked at closely, the first: no case depends on its place.
+inline constexpr std::size_t close_a_chunk = 32;
+/// So many wrong answers of each chunk are replayed, chosen by the seed, where there are more.
+inline constexpr std::size_t replays_a_chunk = 2;
+/// So many margins of each chunk and subject may be worked out in exact numbers; beyond, a case
+/// that needs them is not looked at for the largest margin, nor counted in the curve.
+inline constexpr std::size_t slow_margins_a_chunk = 16;
 
 /// One subject on one shape and family.
 struct Audit {
@@ -30,6 +45,9 @@ struct Audit {
   const Family* family;
   std::size_t shape;
   Tally tally;
+  /// The most ulps that a right answer may be off by, where the subject is held to any; beyond, its
+  /// cause is looked for too.
+  std::optional<double> most_ulps = {};
 };
 
 /// How far a run has come, in judged cases.

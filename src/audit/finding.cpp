@@ -1,16 +1,13 @@
 #include "audit/finding.hpp"
 
 #include <algorithm>
-#include <array>
-#include <functional>
+#include <climits>
+#include <cmath>
 #include <string_view>
 #include <tuple>
 
 namespace rayaudit {
 namespace {
-
-/// Families whose rays begin next to the surface.
-constexpr std::array<std::string_view, 2> next_to_surface = {"spawned", "surface-near"};
 
 /// The wrong verdicts of one kind in one audit.
 struct Occurrence {
@@ -21,10 +18,6 @@ struct Occurrence {
     return {std::string(audit->family->id), outcome->count, audit->tally.cases};
   }
   double share() const { return afflicted().share(); }
-  bool is_elsewhere() const {
-    return std::find(next_to_surface.begin(), next_to_surface.end(), audit->family->id) ==
-           next_to_surface.end();
-  }
   std::string_view subject() const { return audit->subject->name; }
   std::string_view routine() const { return subject().substr(0, subject().rfind('/')); }
   std::string_view number() const {
@@ -59,26 +52,29 @@ Finding finding(std::vector<Occurrence> group) {
     include(made.numbers, each.number());
     made.wrong += each.outcome->count;
     made.cases += each.audit->tally.cases;
+    made.causes.merge(each.outcome->causes);
   }
   std::stable_sort(group.begin(), group.end(),
                    [](const Occurrence& a, const Occurrence& b) { return a.share() > b.share(); });
   for (const Occurrence& each : group) tell(made.families, each.afflicted());
   made.share = group.front().share();
-  auto leading = std::find_if(group.begin(), group.end(), std::mem_fn(&Occurrence::is_elsewhere));
-  if (leading == group.end())
-    leading = group.begin();
-  else
-    made.share_elsewhere = leading->share();
-  made.subject = leading->audit->subject;
+  const auto leading =
+      std::min_element(group.begin(), group.end(), [](const Occurrence& a, const Occurrence& b) {
+        return is_worse(*a.outcome->worst, *b.outcome->worst);
+      });
+  made.audit = leading->audit;
   made.example = *leading->outcome->worst;
   return made;
 }
 
+/// The power of two of a margin; margins without end, and none, at either end of all.
+int binade(double margin) { return margin > 0 ? std::ilogb(margin) : INT_MIN; }
+
 /// Invalid cases are questions about conduct, not about truth: they come last.
-bool is_worse(const Finding& a, const Finding& b) {
+bool comes_first(const Finding& a, const Finding& b) {
   const bool a_invalid = a.verdict == Verdict::invalid_mishandled;
   if (a_invalid != (b.verdict == Verdict::invalid_mishandled)) return !a_invalid;
-  if (a.share_elsewhere != b.share_elsewhere) return a.share_elsewhere > b.share_elsewhere;
+  if (binade(a.margin()) != binade(b.margin())) return binade(a.margin()) > binade(b.margin());
   if (a.share != b.share) return a.share > b.share;
   return std::tie(a.verdict, a.routine, a.shape, a.claim) <
          std::tie(b.verdict, b.routine, b.shape, b.claim);
@@ -101,7 +97,7 @@ std::vector<Finding> findings(const std::vector<Audit>& audits) {
     found.push_back(finding({first, last}));
     first = last;
   }
-  std::sort(found.begin(), found.end(), is_worse);
+  std::sort(found.begin(), found.end(), comes_first);
   return found;
 }
 

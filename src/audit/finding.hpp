@@ -26,18 +26,18 @@ struct Finding {
   std::vector<Afflicted> families;     ///< the most afflicted first
   std::uint64_t wrong = 0, cases = 0;  ///< over all of those
   double share = 0;                    ///< wrong of all cases in the most afflicted family
-  /// The same without the families whose rays begin next to the surface: the true t is near 0
-  /// there, so that any error is a large one.
-  double share_elsewhere = 0;
-  const Subject* subject = nullptr;  ///< of the example
-  Worst example;                     ///< from the most afflicted family, elsewhere if there is one
+  CauseCount causes;                   ///< of those that were replayed
+  const Audit* audit = nullptr;        ///< of the example
+  Worst example;                       ///< the one with the largest margin, in u of its format
+
+  double margin() const { return example.severity; }
 };
 
 /// Adds a name to those that it is not among.
 void include(std::vector<std::string>& names, std::string_view name);
 
-/// The findings of a run, worst first: by their share elsewhere, then by their share. Conduct on
-/// invalid cases comes last.
+/// The findings of a run, worst first: by the power of two of the largest margin at which a subject
+/// is wrong, then by their share. Conduct on invalid cases comes last.
 std::vector<Finding> findings(const std::vector<Audit>& audits);
 
 }  // namespace rayaudit

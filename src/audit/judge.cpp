@@ -356,6 +356,24 @@ const oracle::Sensitivity& Settled::sensitivity(int crossing) {
   return *known;
 }
 
+double Settled::reach() {
+  if (!quick_reach() && !reach_) reach_ = oracle::margin_exactly(question_).reach;
+  return *reach_;
+}
+
+std::optional<double> Settled::quick_reach() {
+  if (is_slow_) return {};
+  if (reach_) return reach_;
+  if (truth_.invalid != oracle::Invalid::no)
+    reach_ = Judgement::unmeasured;
+  else if (truth_.has_touch())
+    reach_ = 0;
+  else if (const auto margin = oracle::margin_by_bounds(question_))
+    reach_ = margin->reach;
+  is_slow_ = !reach_;
+  return reach_;
+}
+
 Judgement judge(Settled& settled, const Answer& answer, const Format& format,
                 const Convention& convention) {
   const bool miss = answer.form == Answer::Form::miss;

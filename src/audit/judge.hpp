@@ -9,6 +9,7 @@
 #include "audit/convention.hpp"
 #include "geometry/answer.hpp"
 #include "geometry/format.hpp"
+#include "oracle/margin.hpp"
 #include "oracle/position.hpp"
 #include "oracle/truth.hpp"
 
@@ -87,11 +88,17 @@ class Settled {
   const oracle::Truth& truth() const { return truth_; }
   const oracle::Roots& roots();
   const oracle::Sensitivity& sensitivity(int crossing);
+  /// How far the numbers must move, relatively, for the truth to change; NaN for an invalid case.
+  double reach();
+  /// The same where double-word numbers tell it; else it takes exact ones, and up to a millisecond.
+  std::optional<double> quick_reach();
 
  private:
   const Case& question_;
   const oracle::Truth& truth_;
   std::optional<oracle::Roots> roots_;
+  std::optional<double> reach_;
+  bool is_slow_ = false;  ///< double-word numbers do not tell the reach
   std::array<std::optional<oracle::Sensitivity>, oracle::Truth::most> sensitivities_;
 };
 

@@ -7,25 +7,11 @@
 namespace rayaudit {
 namespace {
 
-/// How bad a case is of its verdict's kind. A miss is the worse the less its hit depends on the
-/// last bits of the inputs: |t| / (sum |x_j dt/dx_j|) is 1 at most, and near 0 at a grazing hit.
-double severity(Settled& settled, const Judgement& judgement) {
-  if (judgement.verdict == Verdict::false_miss) {
-    const Real& forced = settled.sensitivity(judgement.crossing).forced;
-    const Real& t = settled.truth().crossings()[judgement.crossing].t;
-    if (!is_finite(forced) || sign(forced) == 0) return 0;
-    const int e = binade(forced);
-    return std::fabs(scaled(t, e) / scaled(forced, e));
-  }
+/// How bad a case is of its verdict's kind: a wrong one the more, the further it lies from any case
+/// with another truth; else the more its t is off.
+double severity(const Judgement& judgement, double margin) {
+  if (is_wrong(judgement.verdict)) return std::isnan(margin) ? 0 : margin;
   return std::isnan(judgement.ulps) ? 0 : judgement.ulps;
-}
-
-bool is_worse(const Worst& a, const Worst& b) {
-  return a.severity != b.severity ? a.severity > b.severity : a.place < b.place;
-}
-
-void keep_worse(std::optional<Worst>& kept, const Worst& other) {
-  if (!kept || is_worse(other, *kept)) kept = other;
 }
 
 /// Builds the Worst only where it will be kept.
@@ -33,41 +19,39 @@ void note(std::optional<Worst>& kept, double severity, std::uint64_t place, cons
           const Answer& answer, const Judgement& judgement) {
   if (kept && !(severity > kept->severity || (severity == kept->severity && place < kept->place)))
     return;
-  kept = Worst{severity, place, settled.question(), answer, judgement};
+  kept = Worst{severity, place, settled.question(), answer, judgement, {}};
+}
+
+/// Adds to the count of an element, in its place among the others.
+template <class Element>
+void count_in(std::vector<Element>& list, const Element& element) {
+  const auto place = std::find_if(list.begin(), list.end(),
+                                  [&](const Element& each) { return each.key() >= element.key(); });
+  if (place != list.end() && place->key() == element.key())
+    place->count += element.count;
+  else
+    list.insert(place, element);
 }
 
 }  // namespace
 
-void Histogram::add(double value) {
-  if (std::isnan(value)) return;
-  ++count_;
-  largest_ = std::max(largest_, value);
-  const int last = octaves * steps + 1;
-  int bin = 0;
-  if (value >= std::ldexp(1.0, least_exponent)) {
-    int exponent = 0;
-    const double fraction = std::frexp(std::min(value, 0x1p1000), &exponent);  // in [1/2, 1)
-    const int step = static_cast<int>((fraction - 0.5) * (2 * steps));
-    bin = std::min(last, 1 + (exponent - 1 - least_exponent) * steps + step);
-  }
-  ++counts_[bin];
+std::uint64_t CauseCount::replayed() const {
+  std::uint64_t sum = 0;
+  for (const std::uint64_t count : counts) sum += count;
+  return sum;
 }
 
-void Histogram::merge(const Histogram& other) {
-  for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
-  count_ += other.count_;
-  largest_ = std::max(largest_, other.largest_);
+void CauseCount::add(const Diagnosis& diagnosis) {
+  ++counts[static_cast<std::size_t>(diagnosis.cause)];
+  if (const auto& step = diagnosis.turned)
+    count_in(turned, Turned{step->file, step->line, step->text, 1});
+  if (!diagnosis.about.empty()) count_in(about, About{diagnosis.cause, diagnosis.about, 1});
 }
 
-double Histogram::quantile(double p) const {
-  if (count_ == 0) return 0;
-  const auto wanted = static_cast<std::uint64_t>(std::ceil(p * static_cast<double>(count_)));
-  std::uint64_t seen = 0;
-  int bin = 0;
-  while ((seen += counts_[bin]) < wanted) ++bin;
-  if (bin == octaves * steps + 1) return largest_;
-  const double above = std::ldexp(1 + (bin % steps) / double{steps}, bin / steps + least_exponent);
-  return std::min(above, largest_);
+void CauseCount::merge(const CauseCount& other) {
+  for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += other.counts[i];
+  for (const Turned& each : other.turned) count_in(turned, each);
+  for (const About& each : other.about) count_in(about, each);
 }
 
 std::uint64_t Tally::of(Claim claim) const {
@@ -86,6 +70,21 @@ const Worst* Tally::worst(Verdict verdict) const {
   return found;
 }
 
+const Worst* Tally::widest() const {
+  const Worst* found = nullptr;
+  for (const Outcome& each : outcomes)
+    if (is_wrong(each.verdict) && each.verdict != Verdict::invalid_mishandled && each.worst &&
+        (found == nullptr || is_worse(*each.worst, *found)))
+      found = &*each.worst;
+  return found;
+}
+
+CauseCount Tally::causes() const {
+  CauseCount sum;
+  for (const Outcome& each : outcomes) sum.merge(each.causes);
+  return sum;
+}
+
 Outcome& Tally::outcome(Verdict verdict, Claim claim) {
   const auto place = std::find_if(outcomes.begin(), outcomes.end(), [&](const Outcome& each) {
     return std::tie(each.verdict, each.claim) >= std::tie(verdict, claim);
@@ -101,8 +100,8 @@ std::uint64_t Tally::wrong() const {
   return sum;
 }
 
-void Tally::add(Settled& settled, const Answer& answer, const Judgement& judgement,
-                std::uint64_t place) {
+void Tally::add(const Settled& settled, const Answer& answer, const Judgement& judgement,
+                std::uint64_t place, double margin) {
   ++cases;
   ++verdicts[static_cast<std::size_t>(judgement.verdict)];
   if (judgement.side != Side::unknown) ++sides[static_cast<std::size_t>(judgement.side)];
@@ -117,9 +116,12 @@ void Tally::add(Settled& settled, const Answer& answer, const Judgement& judgeme
   distance.add(judgement.distance);
   Outcome& here = outcome(judgement.verdict, judgement.claim);
   ++here.count;
-  note(here.worst, severity(settled, judgement), place, settled, answer, judgement);
+  note(here.worst, severity(judgement, margin), place, settled, answer, judgement);
+  if (!std::isnan(judgement.ulps))
+    note(worst_ulps, judgement.ulps, place, settled, answer, judgement);
   if (!std::isnan(judgement.forced))
     note(worst_forced, judgement.forced, place, settled, answer, judgement);
+  if (answer.stage > 0) ++stages[answer.stage];
 }
 
 void Tally::merge(const Tally& other) {
@@ -142,7 +144,12 @@ void Tally::merge(const Tally& other) {
     Outcome& ours = outcome(theirs.verdict, theirs.claim);
     ours.count += theirs.count;
     if (theirs.worst) keep_worse(ours.worst, *theirs.worst);
+    ours.causes.merge(theirs.causes);
   }
+  curve.merge(other.curve);
+  certificate.merge(other.certificate);
+  add_all(stages, other.stages);
+  if (other.worst_ulps) keep_worse(worst_ulps, *other.worst_ulps);
   if (other.worst_forced) keep_worse(worst_forced, *other.worst_forced);
 }
 

@@ -3,47 +3,57 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
+#include "audit/cause.hpp"
+#include "audit/certificate.hpp"
+#include "audit/histogram.hpp"
 #include "audit/judge.hpp"
+#include "audit/margin_curve.hpp"
+#include "audit/worst.hpp"
 
 namespace rayaudit {
 
-/// Counts of non-negative numbers in eighths of an octave: quantiles that merge exactly.
-class Histogram {
- public:
-  void add(double value);
-  void merge(const Histogram& other);
-  std::uint64_t count() const { return count_; }
-  /// A number that at least the share p of all values do not exceed, an eighth of an octave sharp,
-  /// and never above the largest value; 0 where there are none.
-  double quantile(double p) const;
-  double largest() const { return largest_; }
+/// The causes found for wrong answers of one kind.
+struct CauseCount {
+  /// A comparison that was seen turned, and how often.
+  struct Turned {
+    std::string_view file;
+    int line;
+    std::string_view text;
+    std::uint64_t count;
 
- private:
-  static constexpr int least_exponent = -10, octaves = 140, steps = 8;
+    auto key() const { return std::tie(file, line); }
+  };
+  /// What a formula or an assumption was found to be about, and how often.
+  struct About {
+    Cause cause;
+    std::string_view about;
+    std::uint64_t count;
 
-  std::array<std::uint64_t, octaves* steps + 2> counts_ = {};  ///< first: below, last: above
-  std::uint64_t count_ = 0;
-  double largest_ = 0;
+    auto key() const { return std::tie(cause, about); }
+  };
+
+  std::array<std::uint64_t, cause_count> counts = {};
+  std::vector<Turned> turned = {};  ///< by file and line
+  std::vector<About> about = {};    ///< by cause and words
+
+  std::uint64_t of(Cause cause) const { return counts[static_cast<std::size_t>(cause)]; }
+  std::uint64_t replayed() const;
+  void add(const Diagnosis& diagnosis);
+  void merge(const CauseCount& other);
 };
 
-/// The worst case of a kind, kept whole.
-struct Worst {
-  double severity = 0;
-  std::uint64_t place = 0;  ///< which case of the audit it was, from 0
-  Case question = {};
-  Answer answer = {};
-  Judgement judgement = {};
-};
-
-/// The cases of one verdict that make one claim, and the worst of them: of hits that were measured
-/// the one with the most ulps; of false misses the best conditioned; of the rest the first.
+/// The cases of one verdict that make one claim, and the worst of them: of wrong ones the one with
+/// the largest margin, of others the one with the most ulps.
 struct Outcome {
   Verdict verdict;
   Claim claim;
   std::uint64_t count = 0;
   std::optional<Worst> worst = {};
+  CauseCount causes = {};  ///< of the share that was replayed
 };
 
 /// What became of the touches of one kind on offer.
@@ -60,16 +70,25 @@ struct Tally {
   std::array<TouchCount, 7> touches = {};  ///< by oracle::Kind
   std::uint64_t by_interval = 0, by_exact = 0;
   Histogram ulps, forced, distance;
-  std::optional<Worst> worst_forced = {};
+  std::optional<Worst> worst_ulps = {}, worst_forced = {};
+  MarginCurve curve;  ///< of the share that is looked into closely
+  Certificate certificate;
+  std::array<std::uint64_t, 4> stages = {};  ///< of a subject that works in stages, from 1
 
   std::uint64_t of(Verdict verdict) const { return verdicts[static_cast<std::size_t>(verdict)]; }
   std::uint64_t of(Claim claim) const;
   /// The worst case of a verdict, or null where there is none.
   const Worst* worst(Verdict verdict) const;
+  /// The wrong case with the largest margin, invalid cases aside, or null where there is none.
+  const Worst* widest() const;
   std::uint64_t wrong() const;
+  /// The causes of all wrong answers, and of right ones that were off by more than they may be.
+  CauseCount causes() const;
   /// The outcome of a verdict and claim, made where it has not occurred.
   Outcome& outcome(Verdict verdict, Claim claim);
-  void add(Settled& settled, const Answer& answer, const Judgement& judgement, std::uint64_t place);
+  /// Adds a judged answer to a case of a margin in u, NaN where it is not known.
+  void add(const Settled& settled, const Answer& answer, const Judgement& judgement,
+           std::uint64_t place, double margin);
   void merge(const Tally& other);
 };
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "audit/audit.hpp"
+#include "cli/bounds_option.hpp"
 #include "cli/command.hpp"
 #include "cli/convention_option.hpp"
 #include "cli/exit_code.hpp"
@@ -16,6 +17,7 @@
 #include "cli/selection.hpp"
 #include "geometry/error.hpp"
 #include "reports/explain_line.hpp"
+#include "reports/figures.hpp"
 
 namespace rayaudit {
 namespace {
@@ -30,9 +32,12 @@ Plan default_plan() {
 }
 
 struct AuditOptions {
-  std::vector<std::string> subjects, shapes, families, reports;
+  std::vector<std::string> subjects, shapes, families, reports, bounds;
   Plan plan = default_plan();
   FailOn fail_on;
+  std::string written_bounds;  ///< the file for what is observed, or empty
+  std::string command;         ///< all of this as it was typed
+  int headroom = 1;
   bool all_findings = false;
 };
 
@@ -57,11 +62,16 @@ Plan plan_of(const AuditOptions& options) {
        selected("family", options.families, names_of(families(), &Family::id)))
     plan.families.push_back(&families()[i]);
   plan.shapes = selected("shape", options.shapes, shape_names);
+  for (const std::string& file : options.bounds)
+    for (const Bound& bound : read_bounds_file(file)) plan.bounds.push_back(bound);
   const std::vector<Audit> audits = planned(plan);
   if (audits.empty())
     throw NothingAudited(
-        "nothing to audit: no chosen subject answers a chosen shape that a chosen "
-        "family draws");
+        plan.bounds.empty()
+            ? "nothing to audit: no chosen subject answers a chosen shape that a chosen family "
+              "draws"
+            : "nothing was held: no row of " + fmt::format("{}", fmt::join(options.bounds, ", ")) +
+                  " is about a chosen subject, shape and family");
   if (plan.difficulty) require_difficulty(audits, *plan.difficulty);
   return plan;
 }
@@ -82,24 +92,69 @@ int told_breach(const std::vector<Audit>& audits, const FailOn& fail_on) {
       first->family->id, broken.words,
       others > 0 ? fmt::format(" (and {} more audit{})", others, others == 1 ? " fails" : "s fail")
                  : "",
-      explain_line(broken.worst, first->subject->format)));
+      explain_line(broken.worst, *first->subject)));
   return found;
 }
 
+/// How many broken limits are told where not all of them were asked for.
+constexpr std::size_t broken_shown = 10;
+
+int told_broken(const Plan& plan, const std::vector<Audit>& audits, bool all) {
+  const std::vector<Broken> found_broken = broken(plan.bounds, audits);
+  const std::size_t shown = all ? found_broken.size() : std::min(found_broken.size(), broken_shown);
+  for (std::size_t i = 0; i < shown; ++i) complain(told(found_broken[i]));
+  if (const std::size_t more = found_broken.size() - shown; more > 0)
+    complain(fmt::format("{} more limit{} broken: --all-findings tells all", more,
+                         more == 1 ? " is" : "s are"));
+  return found_broken.empty() ? all_held : found;
+}
+
+std::string write_observed(const AuditOptions& options, const std::vector<Audit>& audits) {
+  std::vector<std::string> head = {fmt::format(
+      "What rayaudit {} observed in {} cases for each subject, shape and family, seed {}",
+      RAYAUDIT_VERSION, figures::grouped(options.plan.cases), options.plan.seed)};
+  if (options.headroom > 1)
+    head.push_back(
+        fmt::format("(errors and margins times {}; what may well be chance is left out), by",
+                    options.headroom));
+  head.push_back("  " + options.command);
+  return write_bounds(observed(audits, options.headroom), head);
+}
+
+/// What is asked for: the table where there is nothing else for standard output.
+std::vector<ReportOrder> orders_of(const AuditOptions& options) {
+  if (!options.reports.empty()) return read_report_orders(options.reports);
+  if (options.written_bounds == "-") return {};
+  return read_report_orders({"table"});
+}
+
+/// Where the observed bounds go, as the places of reports are told, if anywhere.
+std::optional<std::string> place_of_observed(const AuditOptions& options) {
+  if (options.written_bounds.empty()) return std::nullopt;
+  return options.written_bounds == "-" ? "" : options.written_bounds;
+}
+
 int audit(const AuditOptions& options) {
-  std::vector<std::string> reports = options.reports;
-  if (reports.empty()) reports = {"table"};
   const Plan plan = plan_of(options);
-  const std::vector<ReportOrder> orders = read_report_orders(reports);
+  const std::vector<ReportOrder> orders = orders_of(options);
+  const std::optional<std::string> observed_to = place_of_observed(options);
+  std::vector<std::string> files;
+  for (const ReportOrder& order : orders) files.push_back(order.file);
+  if (observed_to) files.push_back(*observed_to);
+  require_places(files);
   const std::vector<Audit> audits = run_with_progress(plan);
   const Run run = {RAYAUDIT_VERSION, plan, audits, environment()};
   // Standard output comes last: where its reader has gone, the files are there.
-  for (const bool to_stdout : {false, true})
+  for (const bool to_stdout : {false, true}) {
     for (const ReportOrder& order : orders)
       if (order.file.empty() == to_stdout)
-        deliver(order,
+        deliver(order.file,
                 order.report->write(run, {to_stdout && is_colour_welcome(), options.all_findings}));
-  return told_breach(audits, options.fail_on);
+    if (observed_to && observed_to->empty() == to_stdout)
+      deliver(*observed_to, write_observed(options, audits));
+  }
+  const int breach = told_breach(audits, options.fail_on);
+  return std::max(breach, told_broken(plan, audits, options.all_findings));
 }
 
 void add_names(CLI::App& command, const std::shared_ptr<AuditOptions>& options) {
@@ -139,7 +194,30 @@ void add_judgement(CLI::App& command, const std::shared_ptr<AuditOptions>& optio
   add_option(command, "--fail-on", "VERDICT,...",
              "exit 1 where one of these occurs; also max_ulp=N",
              [=](const std::string& text) { options->fail_on = read_fail_on(text); });
-  command.add_flag("--all-findings", options->all_findings, "in the table, not only the worst");
+  command.add_flag("--thorough", options->plan.thorough,
+                   "margins, proofs and causes of every case, not of a share");
+  command.add_flag("--all-findings", options->all_findings,
+                   "in the table and of broken bounds, not only the worst");
+}
+
+void add_bounds(CLI::App& command, const std::shared_ptr<AuditOptions>& options) {
+  command
+      .add_option("--bounds", options->bounds,
+                  "exit 1 where a row of the file is broken; only what its rows name is audited; "
+                  "may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  CLI::Option* written = add_option(command, "--write-bounds", "FILE",
+                                    "write what is observed as such rows; - is standard output",
+                                    [=](const std::string& file) {
+                                      if (file.empty())
+                                        throw Error("--write-bounds: expected a file");
+                                      options->written_bounds = file;
+                                    });
+  add_number(command, "--headroom",
+             "with it: grant errors and margins N times as large, leave out what may be chance", 1,
+             1000, [=](std::int64_t n) { options->headroom = static_cast<int>(n); })
+      ->needs(written);
 }
 
 }  // namespace
@@ -151,15 +229,26 @@ void add_audit_command(CLI::App& program, Command& asked) {
   add_names(*command, options);
   add_numbers(*command, options);
   add_judgement(*command, options);
+  add_bounds(*command, options);
   command->footer(
       "Without names, every subject, shape and family is audited. A subject that is wrong is a\n"
-      "finding, not a failure: the exit code is 0 unless --fail-on says otherwise.\n\n"
+      "finding, not a failure: the exit code is 0 unless --fail-on or --bounds says otherwise.\n\n"
+      "Each row of a file of bounds is a promise: SUBJECT SHAPE FAMILY, names or globs; limits "
+      "and\n"
+      "their values; and whether it is proved or only observed, as in\n"
+      "  textbook/float sphere anywhere wrong 0 max_ulp 8 observed  # a comment\n"
+      "Limits: wrong, or one wrong verdict, in cases; max_ulp; max_forced; wrong_margin, in u.\n\n"
       "Examples:\n"
       "  rayaudit audit\n"
       "  rayaudit audit 'textbook/*' --shape sphere --family grazing,far --cases 1e6\n"
       "  rayaudit audit '*/float' --report table --report json=audit.json\n"
-      "  rayaudit audit stable_quadratic/double --fail-on false_hit,false_miss,max_ulp=100\n");
-  command->callback([=, &asked] { asked = [options] { return audit(*options); }; });
+      "  rayaudit audit stable_quadratic/double --fail-on false_hit,false_miss,max_ulp=100\n"
+      "  rayaudit audit 'textbook/*' --cases 1e6 --headroom 2 --write-bounds mine.txt\n"
+      "  rayaudit audit --bounds mine.txt --seed 2\n");
+  command->callback([=, &asked] {
+    options->command = command_text(*command);
+    asked = [options] { return audit(*options); };
+  });
 }
 
 }  // namespace rayaudit

@@ -7,10 +7,12 @@
 #include <cstring>
 #include <fstream>
 
-#include "audit/judge.hpp"
+#include "audit/cause.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/explain_steps.hpp"
 #include "cli/formats.hpp"
+#include "cli/names.hpp"
 #include "cli/option.hpp"
 #include "cli/output.hpp"
 #include "geometry/case_line.hpp"
@@ -32,6 +34,7 @@ constexpr int shown_digits = 40;
 struct ExplainOptions {
   std::vector<std::string> words;
   Format format = double_format;
+  const Subject* subject = nullptr;  ///< the one to follow step by step
 };
 
 struct Place {
@@ -87,17 +90,17 @@ std::string shown(const Real& x, const Format& format) {
 }
 
 std::string shown(const Answer& answer, const Format& format) {
-  const auto& [form, t, point] = answer;
   const auto in_format = [&](const Real& x) { return shown(x, format); };
-  switch (form) {
+  switch (answer.form) {
     case Answer::Form::miss:
       return "miss";
     case Answer::Form::yes:
       return "yes";
     case Answer::Form::hit:
-      return "hit " + in_format(t);
+      return "hit " + in_format(answer.t);
     case Answer::Form::at:
-      return "at " + in_format(point.x) + " " + in_format(point.y) + " " + in_format(point.z);
+      return "at " + in_format(answer.point.x) + " " + in_format(answer.point.y) + " " +
+             in_format(answer.point.z);
   }
   return {};
 }
@@ -156,6 +159,30 @@ std::string other_root_text(const oracle::Root& root) {
   return fmt::format("  {:<15}t = {}\n", name(root.standing), shown(root.t, double_format));
 }
 
+/// What a move by the margin would turn.
+std::string sentence(const oracle::Margin& margin) {
+  const std::string what = [&]() -> std::string {
+    switch (margin.sign) {
+      case oracle::Sign::discriminant:
+        return "whether the line meets the surface";
+      case oracle::Sign::start:
+        return "whether the ray begins before it";
+      case oracle::Sign::end:
+        return "whether the ray ends before it";
+      case oracle::Sign::side:
+        return "whether it lies inside the rim";
+      default:
+        return "";
+    }
+  }();
+  return margin.together > 1 ? what + ", with others" : what;
+}
+
+const Subject& known_subject(const std::string& text) {
+  const auto& subjects = built_in_subjects();
+  return subjects[place_of("subject", text, names_of(subjects, &Subject::name))];
+}
+
 std::string_view reason(oracle::Invalid invalid) {
   static constexpr std::array<std::string_view, 8> reasons = {
       "",
@@ -170,6 +197,19 @@ std::string_view reason(oracle::Invalid invalid) {
   return reasons[static_cast<std::size_t>(invalid)];
 }
 
+/// How far from another truth, in u of each format, and what would turn first.
+std::string margin_text(const Case& question, const Truth& truth) {
+  const oracle::Margin margin = oracle::margin(question, truth);
+  if (margin.sign == oracle::Sign::touch) return row("margin", "0, for there is a touch");
+  if (std::isinf(margin.reach)) return row("margin", "none: no move changes the truth");
+  const auto in = [&](const Format& format) {
+    return figures::magnitude(std::ldexp(margin.reach, format.precision));
+  };
+  return row("margin",
+             fmt::format("{} u in float, {} in double, {} in long double: {}", in(float_format),
+                         in(double_format), in(long_double_format), sentence(margin)));
+}
+
 std::string truth_text(const Case& question, const Truth& truth) {
   if (truth.invalid != oracle::Invalid::no)
     return row("truth", fmt::format("none, the case is invalid: {}", reason(truth.invalid)));
@@ -180,6 +220,7 @@ std::string truth_text(const Case& question, const Truth& truth) {
                       truth.has_touch() ? ", or the touch before it, as convention has it" : "",
                       by_interval ? "intervals" : "exact numbers"));
   for (const Crossing& crossing : truth.crossings()) text += crossing_text(question, crossing);
+  text += margin_text(question, truth);
   std::string others;
   const oracle::Roots roots = oracle::roots(question);
   for (const oracle::Root& root : roots.roots())
@@ -187,16 +228,25 @@ std::string truth_text(const Case& question, const Truth& truth) {
   return others.empty() ? text : text + "other roots, no answers:\n" + others;
 }
 
+/// An answer with its verdict; and its cause, where it is the answer of a subject.
 std::string judged_row(const std::string& who, const Case& question, const Answer& answer,
-                       const Format& format) {
-  const Judgement judgement = judge(question, answer, format);
+                       const Format& format, const Subject* subject) {
+  const Truth truth = oracle::truth(question, oracle::bits_for(format));
+  Settled settled(question, truth);
+  const Judgement judgement = judge(settled, answer, format);
   std::string verdict(name(judgement.verdict));
   if (judgement.claim != Claim::none) (verdict += " ") += name(judgement.claim);
   const std::string side =
       judgement.side == Side::unknown ? "-" : std::string(name(judgement.side));
-  return fmt::format("{:<30} {:<26} {:<22} {:>8} {:>8}  {}\n", who, shown(answer, format), verdict,
-                     figures::magnitude(judgement.ulps), figures::magnitude(judgement.forced),
-                     side);
+  std::string cause;
+  if (subject != nullptr && (is_wrong(judgement.verdict) || judgement.verdict == Verdict::touch))
+    cause = name(
+        diagnosis({settled, answer, judgement, {}}, *subject, replay::replay_of(subject->name), {})
+            .cause);
+  std::string row = fmt::format("{:<28} {:<26} {:<22} {:>8} {:>8}  {:<7} {}", who,
+                                shown(answer, format), verdict, figures::magnitude(judgement.ulps),
+                                figures::magnitude(judgement.forced), side, cause);
+  return row.erase(row.find_last_not_of(' ') + 1) + '\n';
 }
 
 std::string subject_rows(const Case& question) {
@@ -205,10 +255,30 @@ std::string subject_rows(const Case& question) {
   std::string text;
   for (const Subject& subject : built_in_subjects()) {
     if (!subject.answers(shape) || (subject.format == float_format && !floats)) continue;
-    text += judged_row(subject.name, question, answer_one(subject, question), subject.format);
+    text +=
+        judged_row(subject.name, question, answer_one(subject, question), subject.format, &subject);
   }
   if (!floats) text += "subjects in float are not asked: the case has numbers that are no floats\n";
   return text;
+}
+
+/// One subject on a case: the cause of its answer in full, and its steps.
+std::string followed(const Case& question, const Subject& subject) {
+  if (!subject.answers(question.shape.index()))
+    throw Error(
+        fmt::format("--subject: {} does not answer a {}", subject.name, name(question.shape)));
+  const Answer answer = answer_one(subject, question);
+  const Truth truth = oracle::truth(question, oracle::bits_for(subject.format));
+  Settled settled(question, truth);
+  const Judgement judgement = judge(settled, answer, subject.format);
+  std::string text;
+  if (is_wrong(judgement.verdict) || judgement.verdict == Verdict::touch) {
+    const Diagnosis found =
+        diagnosis({settled, answer, judgement, {}}, subject, replay::replay_of(subject.name), {});
+    text += row("cause", told(found));
+    if (found.turned) text += row("", std::string(found.turned->text));
+  }
+  return text + steps_text(question, subject);
 }
 
 /// The line that is asked about: the words, or what stands at the place that the only word names.
@@ -230,12 +300,15 @@ int explain(const ExplainOptions& options) {
   std::string text = shape_text(question.shape) + ray_text(question.ray);
   if (!why.empty()) text += row("why", why);
   text += truth_text(question, oracle::truth(question));
-  text += fmt::format("\n{:<30} {:<26} {:<22} {:>8} {:>8}  {}\n", "subject", "answer", "verdict",
-                      "ulps", "forced", "side");
+  text += fmt::format("\n{:<28} {:<26} {:<22} {:>8} {:>8}  {:<7} {}\n", "subject", "answer",
+                      "verdict", "ulps", "forced", "side", "cause");
+  const Format& format = options.subject != nullptr ? options.subject->format : options.format;
   if (answer)
-    text += judged_row(fmt::format("the line, in {}", options.format.name), question, *answer,
-                       options.format);
-  print(text + subject_rows(question));
+    text +=
+        judged_row(fmt::format("the line, in {}", format.name), question, *answer, format, nullptr);
+  text += subject_rows(question);
+  if (options.subject != nullptr) text += '\n' + followed(question, *options.subject);
+  print(text);
   return all_held;
 }
 
@@ -257,6 +330,8 @@ void add_explain_command(CLI::App& program, Command& asked) {
   CLI::App* command = program.add_subcommand(
       "explain", "Show one case, CASE-LINE or FILE:LINE: its truth and all answers to it");
   command->allow_extras();
+  add_option(*command, "--subject", "ROUTINE/NUMBER", "follow this one step by step",
+             [=](const std::string& text) { options->subject = &known_subject(text); });
   add_option(*command, "--format", "FORMAT",
              "of the answer on the line: float, double or long_double",
              [=](const std::string& text) { options->format = known_format(text); })
@@ -265,6 +340,7 @@ void add_explain_command(CLI::App& program, Command& asked) {
       "Examples:\n"
       "  rayaudit explain 'sphere 0 0 0 1 ray 0 0 -3 0 0 1'\n"
       "  rayaudit explain --format float 'sphere 0 0 0 1 ray 0 0.5 -3 0 0 1 hit 2.125'\n"
+      "  rayaudit explain --subject textbook/float 'sphere 0 0 0 1 ray 0 1 -1024 0 0 1'\n"
       "  rayaudit explain data/cases/tangent.txt:12\n");
   command->callback([=, &asked] {
     options->words = case_words(*command);

@@ -26,16 +26,6 @@ double read_ulps(std::string_view text) {
   return ulps;
 }
 
-/// The measured hit with the most ulps.
-const Worst* farthest(const Tally& tally) {
-  const Worst* found = nullptr;
-  for (const auto& [verdict, claim, count, worst] : tally.outcomes) {
-    if (!worst || std::isnan(worst->judgement.ulps)) continue;
-    if (found == nullptr || worst->judgement.ulps > found->judgement.ulps) found = &*worst;
-  }
-  return found;
-}
-
 }  // namespace
 
 FailOn read_fail_on(std::string_view text) {
@@ -70,7 +60,7 @@ std::optional<Breach> breach(const FailOn& fail_on, const Tally& tally) {
   if (!fail_on.most_ulps || !(tally.ulps.largest() > *fail_on.most_ulps)) return std::nullopt;
   return Breach{fmt::format("a t is off by {} ulps, more than {}",
                             figures::magnitude(tally.ulps.largest()), *fail_on.most_ulps),
-                *farthest(tally)};
+                *tally.worst_ulps};
 }
 
 }  // namespace rayaudit

@@ -60,7 +60,10 @@ Judged judged(std::span<const Line> lines, const JudgeOptions& options) {
       const Answer& answer = *line.read->answer;
       Settled settled(cases[place], truths[place]);
       const Judgement judgement = judge(settled, answer, options.format, options.convention);
-      judged.tally.add(settled, answer, judgement, line.number);
+      const double margin = is_wrong(judgement.verdict)
+                                ? std::ldexp(settled.reach(), options.format.precision)
+                                : Judgement::unmeasured;
+      judged.tally.add(settled, answer, judgement, line.number, margin);
       judged.outside += is_in(cases[place], options.format) ? 0 : 1;
       if (options.each) write_judged(judged.text, line, judgement);
       ++place;
@@ -105,11 +108,11 @@ std::string touch_lines(const Tally& tally) {
 
 std::string worst_lines(const Tally& tally, const Format& format) {
   std::string text;
-  for (const auto& [verdict, claim, count, worst] : tally.outcomes) {
+  for (const auto& [verdict, claim, count, worst, causes] : tally.outcomes) {
     if (!worst || !is_wrong(verdict)) continue;
-    text += fmt::format("\n{}{}, line {}:\n  {}\n", name(verdict),
+    text += fmt::format("\n{}{}, line {}, margin {} u:\n  {}\n", name(verdict),
                         claim == Claim::none ? "" : " (" + std::string(name(claim)) + ")",
-                        worst->place, explain_line(*worst, format));
+                        worst->place, magnitude(worst->severity), explain_line(*worst, format));
   }
   return text;
 }

@@ -1,23 +1,13 @@
 #include "cli/names.hpp"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 
 #include "cli/exit_code.hpp"
 #include "geometry/error.hpp"
+#include "geometry/glob.hpp"
 #include "geometry/unknown_name.hpp"
 
 namespace rayaudit {
-namespace {
-
-bool is_glob(std::string_view pattern) { return pattern.find_first_of("*?[") != pattern.npos; }
-
-bool matches(const std::string& glob, std::string_view name) {
-  return fnmatch(glob.c_str(), std::string(name).c_str(), 0) == 0;
-}
-
-}  // namespace
 
 std::size_t place_of(std::string_view what, std::string_view name,
                      std::span<const std::string_view> known) {

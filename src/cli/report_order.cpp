@@ -88,31 +88,32 @@ ReportOrder read_report_order(std::string_view text) {
 
 std::vector<ReportOrder> read_report_orders(const std::vector<std::string>& texts) {
   std::vector<ReportOrder> orders;
-  for (const std::string& text : texts) {
-    const ReportOrder order = read_report_order(text);
-    for (const ReportOrder& other : orders)
-      if (order.file.empty() == other.file.empty() &&
-          (order.file.empty() || place_of_bytes(order.file) == place_of_bytes(other.file)))
-        throw Error(order.file.empty()
-                        ? "two reports to standard output: name a file, as in --report json=FILE"
-                        : "two reports to the file `" + order.file + "`");
-    orders.push_back(order);
-  }
-  for (const ReportOrder& order : orders)
-    if (!order.file.empty()) require_writable(order.file);
+  for (const std::string& text : texts) orders.push_back(read_report_order(text));
   return orders;
 }
 
-void deliver(const ReportOrder& order, const std::string& text) {
-  if (order.file.empty()) return print(text);
-  const fs::path place = place_of_bytes(order.file);
+void require_places(const std::vector<std::string>& files) {
+  for (auto file = files.begin(); file != files.end(); ++file)
+    for (auto other = files.begin(); other != file; ++other)
+      if (file->empty() == other->empty() &&
+          (file->empty() || place_of_bytes(*file) == place_of_bytes(*other)))
+        throw Error(file->empty()
+                        ? "two reports to standard output: name a file, as in --report json=FILE"
+                        : "two reports to the file `" + *file + "`");
+  for (const std::string& file : files)
+    if (!file.empty()) require_writable(file);
+}
+
+void deliver(const std::string& file, const std::string& text) {
+  if (file.empty()) return print(text);
+  const fs::path place = place_of_bytes(file);
   const bool replaced = is_replaceable(place);
   const fs::path target = replaced ? draft_of(place) : place;
   int reason = write_file(target, text, replaced ? O_CREAT | O_EXCL : 0);
   if (reason == 0 && replaced && rename(target.c_str(), place.c_str()) != 0) reason = errno;
   if (reason == 0) return;
   if (replaced) unlink(target.c_str());
-  throw_unwritable(order.file, reason);
+  throw_unwritable(file, reason);
 }
 
 }  // namespace rayaudit

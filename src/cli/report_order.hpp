@@ -13,11 +13,14 @@ struct ReportOrder {
   std::string file;  ///< empty: standard output
 };
 
-/// Reads the orders; throws Error where a format is not known, two go to the same place, or a file
-/// cannot be written.
+/// Reads the orders; throws Error where a format is not known.
 std::vector<ReportOrder> read_report_orders(const std::vector<std::string>& texts);
 
+/// Throws Error where two of the files are the same, or one cannot be written. An empty one is
+/// standard output.
+void require_places(const std::vector<std::string>& files);
+
 /// Writes it to its place: a file whole, or not at all.
-void deliver(const ReportOrder& order, const std::string& text);
+void deliver(const std::string& file, const std::string& text);
 
 }  // namespace rayaudit

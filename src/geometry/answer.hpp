@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "geometry/real.hpp"
 #include "geometry/vec3.hpp"
 
@@ -17,8 +19,12 @@ struct Answer {
   Form form = Form::miss;
   Real t = {};            ///< of a hit
   Vec3<Real> point = {};  ///< of an at
+  /// Of a subject that works in stages: which of them answered, from 1. No part of what is said.
+  std::uint8_t stage = 0;
 
-  friend bool operator==(const Answer&, const Answer&) = default;
+  friend bool operator==(const Answer& a, const Answer& b) {
+    return a.form == b.form && a.t == b.t && a.point == b.point;
+  }
 
   static Answer miss() { return {}; }
   static Answer yes() { return {.form = Form::yes}; }

@@ -28,6 +28,9 @@ class Row {
       errors.count() > 0 ? add(number) : add_nothing();
   }
 
+  /// How bad a worst case is; empty where there is none.
+  void add(const Worst* worst) { worst != nullptr ? add(worst->severity) : add_nothing(); }
+
   std::string line() const { return line_ + '\n'; }
 
  private:
@@ -53,6 +56,11 @@ std::string header() {
   row.add(std::string_view("decided_by_exact"));
   for (const std::string errors : {"ulp_", "forced_", "distance_"})
     for (const auto* what : {"p50", "p99", "max"}) row.add(errors + what);
+  for (std::size_t i = 0; i < cause_count; ++i)
+    row.add("cause_" + std::string(name(static_cast<Cause>(i))));
+  for (const auto* column : {"replayed", "largest_wrong_margin", "certified_share",
+                             "certified_wrong", "proved_ulp", "observed_ulp"})
+    row.add(std::string_view(column));
   return row.line();
 }
 
@@ -77,6 +85,20 @@ std::string line(const Audit& audit) {
   row.add(tally.by_interval);
   row.add(tally.by_exact);
   for (const Histogram* errors : {&tally.ulps, &tally.forced, &tally.distance}) row.add(*errors);
+  const CauseCount causes = tally.causes();
+  for (std::size_t i = 0; i < cause_count; ++i) {
+    const auto cause = static_cast<Cause>(i);
+    row.add(cause == Cause::convention ? tally.of(Verdict::touch) : causes.of(cause));
+  }
+  row.add(causes.replayed());
+  row.add(tally.widest());
+  const Certificate& certificate = tally.certificate;
+  certificate.cases == 0 ? row.add_nothing()
+                         : row.add(static_cast<double>(certificate.certified) /
+                                   static_cast<double>(certificate.cases));
+  row.add(certificate.wrong);
+  row.add(certificate.proved ? &*certificate.proved : nullptr);
+  row.add(certificate.observed ? &*certificate.observed : nullptr);
   return row.line();
 }
 

@@ -18,4 +18,8 @@ std::string explain_line(const Worst& worst, const Format& format) {
   return line + '\'' + answered_line(worst) + '\'';
 }
 
+std::string explain_line(const Worst& worst, const Subject& subject) {
+  return fmt::format("rayaudit explain --subject {} '{}'", subject.name, answered_line(worst));
+}
+
 }  // namespace rayaudit

@@ -12,7 +12,12 @@
 namespace rayaudit {
 namespace {
 
+using figures::magnitude;
+
 constexpr std::size_t themes_shown = 20, families_shown = 4;
+
+/// Below so many u a verdict may turn by rounding the numbers of the case once or twice.
+constexpr double excusable = 4;
 
 /// What the subject says, for those who do not know the words yet.
 std::string_view sentence(Verdict verdict) {
@@ -132,6 +137,24 @@ std::string families(const Theme& theme) {
   return joined(told);
 }
 
+/// Of a flip the comparison that was turned most often, of the rest what it was about.
+std::string detail(const CauseCount& causes, Cause cause) {
+  const auto most = [](const auto& list, const auto& fits) {
+    auto found = list.end();
+    for (auto each = list.begin(); each != list.end(); ++each)
+      if (fits(*each) && (found == list.end() || each->count > found->count)) found = each;
+    return found;
+  };
+  if (cause == Cause::flip) {
+    const auto place = most(causes.turned, [](const auto&) { return true; });
+    if (place == causes.turned.end()) return "";
+    const char* often = place->count < causes.of(cause) ? "most" : "all";
+    return fmt::format(" ({} at {}:{} `{}`)", often, place->file, place->line, place->text);
+  }
+  const auto about = most(causes.about, [&](const auto& each) { return each.cause == cause; });
+  return about == causes.about.end() ? "" : fmt::format(" ({})", about->about);
+}
+
 /// The shapes and numbers of a theme.
 std::string places(const Theme& theme) {
   std::vector<std::string> shapes, numbers;
@@ -142,6 +165,45 @@ std::string places(const Theme& theme) {
   return joined(shapes) + " in " + joined(numbers);
 }
 
+/// The causes that were found, the most frequent first, and where or what about.
+std::string causes(const Theme& theme) {
+  CauseCount sum;
+  for (const Finding& finding : theme) sum.merge(finding.causes);
+  const std::uint64_t replayed = sum.replayed();
+  if (replayed == 0) return "cause: " + told(theme.front().example.diagnosis);
+  std::vector<std::pair<std::uint64_t, std::string>> parts;
+  for (std::size_t i = 0; i < cause_count; ++i) {
+    const auto cause = static_cast<Cause>(i);
+    if (sum.of(cause) == 0) continue;
+    const std::string share =
+        sum.of(cause) == replayed ? "" : figures::percent(sum.of(cause), replayed) + "% ";
+    parts.emplace_back(sum.of(cause), share + std::string(name(cause)) + detail(sum, cause));
+  }
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<std::string> words;
+  for (const auto& [count, text] : parts) words.push_back(text);
+  return fmt::format("cause (of {} replayed): {}", figures::grouped(replayed), joined(words));
+}
+
+/// How near the edge it is wrong, and what can be relied on there.
+std::string limits(const Finding& worst) {
+  const double margin = worst.margin();
+  std::string text = margin > 0 ? fmt::format("margin: wrong up to {} u", magnitude(margin)) : "";
+  if (margin > 0 && margin <= excusable) text += ", as rounding the case itself may do";
+  const Certificate& there = worst.audit->tally.certificate;
+  if (there.cases == 0) return text;
+  if (!text.empty()) text += "; ";
+  text += there.certified == 0 ? fmt::format("bound: none of {} certified", worst.audit->family->id)
+                               : fmt::format("bound: {}% of {} certified",
+                                             figures::percent(there.certified, there.cases),
+                                             worst.audit->family->id);
+  if (there.proved)
+    text += fmt::format(", there within {} ulps proved, {} seen", magnitude(there.proved->severity),
+                        magnitude(there.observed->severity));
+  return text;
+}
+
 std::string paragraph(const Theme& theme, std::size_t rank, const Ink& ink) {
   const Finding& worst = theme.front();
   const std::string verdict = figures::words(name(worst.verdict));
@@ -150,8 +212,11 @@ std::string paragraph(const Theme& theme, std::size_t rank, const Ink& ink) {
                              5);
   // Coloured last: escape codes would count as letters.
   head.replace(0, 5 + verdict.size(), fmt::format("{:>3}. {}", rank, ink.bad(verdict)));
-  return head + wrapped(places(theme) + ": " + families(theme), 5) + "     " +
-         explain_line(worst.example, worst.subject->format) + '\n';
+  std::string text =
+      head + wrapped(places(theme) + ": " + families(theme), 5) + wrapped(causes(theme), 5);
+  if (const std::string limits_there = limits(worst); !limits_there.empty())
+    text += wrapped(limits_there, 5);
+  return text + "     " + explain_line(worst.example, *worst.audit->subject) + '\n';
 }
 
 }  // namespace
@@ -161,9 +226,9 @@ std::string write_findings(const Run& run, const Ink& ink, bool all) {
   if (found.empty()) return ink.heading("Findings") + ": none\n";
   std::string text =
       ink.heading("Findings") +
-      ", worst first: what a routine does, on which shapes, how much of which family; each with a "
-      "case to look into\n(spawned and surface-near do not lead: there the true t is near 0, and "
-      "any error is a large one)\n";
+      ", worst first, by how far from any other truth they occur: what a routine does, on which "
+      "shapes, how much of\nwhich family; why, by experiment; what bounds hold there; and the case "
+      "with the largest margin to look into\n";
   std::size_t shown = 0;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (!all && i >= themes_shown && !is_sentinel(found[i].front().claim)) continue;

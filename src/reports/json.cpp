@@ -65,6 +65,53 @@ Json worst(const Tally& tally) {
   return told;
 }
 
+Json share(std::uint64_t part, std::uint64_t whole) {
+  if (whole == 0) return nullptr;
+  return static_cast<double>(part) / static_cast<double>(whole);
+}
+
+Json told(const CauseCount& found) {
+  Json told = Json::object();
+  for (std::size_t i = 0; i < cause_count; ++i)
+    told[std::string(name(nth<Cause>(i)))] = found.counts[i];
+  told["replayed"] = found.replayed();
+  return told;
+}
+
+/// Of the wrong answers that were replayed; every touch is a convention, replayed or not.
+Json causes(const Tally& tally) {
+  Json counts = told(tally.causes());
+  counts["convention"] = tally.of(Verdict::touch);
+  return counts;
+}
+
+Json margin(const Tally& tally) {
+  const Worst* widest = tally.widest();
+  Json curve = Json::array();
+  for (int exponent = MarginCurve::least; exponent <= MarginCurve::most; ++exponent)
+    if (const auto& [cases, wrong] = tally.curve.at(exponent); cases > 0)
+      curve.push_back({exponent, cases, wrong});
+  return {{"largest_wrong", widest != nullptr ? number(widest->severity) : Json(nullptr)},
+          {"case", widest != nullptr ? Json(answered_line(*widest)) : Json(nullptr)},
+          {"curve", curve}};
+}
+
+Json bound(const Certificate& certificate) {
+  const auto& [proved, observed] = std::tie(certificate.proved, certificate.observed);
+  const auto ulps = [](const auto& worst) {
+    return worst ? number(worst->severity) : Json(nullptr);
+  };
+  const auto line = [](const auto& worst) {
+    return worst ? Json(answered_line(*worst)) : Json(nullptr);
+  };
+  const Histogram& looseness = certificate.looseness;
+  return {{"proved_ulp", ulps(proved)},
+          {"observed_ulp", ulps(observed)},
+          {"looseness_p50", proved ? number(looseness.quantile(0.5)) : Json(nullptr)},
+          {"proved_case", line(proved)},
+          {"observed_case", line(observed)}};
+}
+
 Json told(const Audit& audit) {
   const Tally& tally = audit.tally;
   Json told = {{"subject", audit.subject->name},
@@ -86,6 +133,16 @@ Json told(const Audit& audit) {
   told["distance"] = errors(tally.distance);
   told["sides"] = counts<Side>(tally.sides);
   told["worst"] = worst(tally);
+  told["causes"] = causes(tally);
+  told["margin"] = margin(tally);
+  const Certificate& certificate = tally.certificate;
+  told["certified"] = {{"share", share(certificate.certified, certificate.cases)},
+                       {"cases", certificate.cases},
+                       {"compared", certificate.compared},
+                       {"wrong", certificate.wrong}};
+  told["bound"] = bound(certificate);
+  if (tally.stages != decltype(tally.stages){})
+    told["stages"] = Json(std::vector(tally.stages.begin() + 1, tally.stages.end()));
   return told;
 }
 
@@ -106,7 +163,11 @@ Json told(const Finding& finding) {
           {"wrong", finding.wrong},
           {"cases", finding.cases},
           {"share", finding.share},
-          {"subject", finding.subject->name},
+          {"causes", told(finding.causes)},
+          {"margin", number(finding.margin())},
+          {"subject", finding.audit->subject->name},
+          {"family", finding.audit->family->id},
+          {"cause", told(finding.example.diagnosis)},
           {"example", answered_line(finding.example)}};
 }
 

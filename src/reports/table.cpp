@@ -7,6 +7,7 @@
 #include "reports/figures.hpp"
 #include "reports/findings.hpp"
 #include "reports/ink.hpp"
+#include "reports/limits.hpp"
 #include "reports/report.hpp"
 #include "reports/touches.hpp"
 #include "reports/wrapped.hpp"
@@ -87,30 +88,37 @@ std::string error(const Histogram& errors, double figure) {
   return fmt::format("{:>{}}", errors.count() > 0 ? magnitude(figure) : "-", error_width);
 }
 
+/// The cause found most often, and the largest margin at which an answer is wrong.
+std::string cause_and_margin(const Tally& tally) {
+  const auto counts = tally.causes().counts;
+  const auto most = std::max_element(counts.begin(), counts.end());
+  const std::string_view cause = tally.wrong() == 0 ? "-"
+                                 : *most == 0       ? "?"
+                                              : name(static_cast<Cause>(most - counts.begin()));
+  const Worst* widest = tally.widest();
+  return fmt::format("{:>11}{:>9}", cause, widest == nullptr ? "-" : magnitude(widest->severity));
+}
+
 std::string row(const Line& line, const Ink& ink) {
   const auto holds = [](const Audit* audit) { return audit->tally.wrong() == 0; };
   const auto held = std::count_if(line.audits.begin(), line.audits.end(), holds);
   const Audit* worst = *std::max_element(line.audits.begin(), line.audits.end(), is_less_untrue);
   const Tally& there = worst->tally;
-  const std::string most = untrue(there) == 0
-                               ? ""
-                               : fmt::format("{:>5}% {}", percent(untrue(there), there.cases),
-                                             cut(worst->family->id, family_width));
+  const std::string_view most = untrue(there) == 0 ? "" : worst->family->id;
   const Tally& tally = line.tally;
   return fmt::format(
-      "  {:<{}}{}{:>6} {:<20}{}{}{}\n", cut(line.subject->name, subject_width), subject_width,
-      shares(tally, ink), fmt::format("{}/{}", held, line.audits.size()), most,
-      error(tally.ulps, tally.ulps.quantile(0.5)), error(tally.forced, tally.forced.quantile(0.99)),
-      error(tally.forced, tally.forced.largest()));
+      "  {:<{}}{}{:>6} {:<{}}{}{}\n", cut(line.subject->name, subject_width), subject_width,
+      shares(tally, ink), fmt::format("{}/{}", held, line.audits.size()), cut(most, family_width),
+      family_width, cause_and_margin(tally), error(tally.forced, tally.forced.largest()));
 }
 
 std::string row_of_family(const Line& line, const Ink& ink) {
   const Tally& tally = line.tally;
-  return fmt::format(
-      "  {:<{}} {:<{}}{}{:>6}{}{}{}\n", cut(line.subject->name, subject_width), subject_width,
-      cut(line.audits.front()->family->id, family_width), family_width, shares(tally, ink),
-      percent(tally.of(Verdict::touch), tally.cases), error(tally.ulps, tally.ulps.quantile(0.99)),
-      error(tally.ulps, tally.ulps.largest()), error(tally.forced, tally.forced.largest()));
+  return fmt::format("  {:<{}} {:<{}}{}{}{}{}\n", cut(line.subject->name, subject_width),
+                     subject_width, cut(line.audits.front()->family->id, family_width),
+                     family_width, shares(tally, ink), cause_and_margin(tally),
+                     error(tally.ulps, tally.ulps.largest()),
+                     error(tally.forced, tally.forced.largest()));
 }
 
 constexpr std::string_view verdicts_above = "       false false wrong wrong  NaN,   in-";
@@ -119,9 +127,9 @@ constexpr std::string_view verdicts_below = " wrong   hit  miss  root     t   in
 std::string heading(std::string_view shape, const Ink& ink) {
   const std::string name = fmt::format("{:<{}}", shape, 2 + subject_width);
   return ink.heading(name) + std::string(verdicts_above) +
-         fmt::format("{:>48}\n{:<{}}", "    ulp  -- forced --", "", 2 + subject_width) +
+         fmt::format("{:>47}\n{:<{}}", "main wrong to forced", "", 2 + subject_width) +
          std::string(verdicts_below) +
-         fmt::format(" {:>5} {:<20}{:>7}{:>7}{:>7}\n", "holds", "most wrong in", "p50", "p99",
+         fmt::format(" {:>5} {:<13}{:>11}{:>9}{:>7}\n", "holds", "most wrong in", "cause", "margin",
                      "max");
 }
 
@@ -129,9 +137,10 @@ std::string heading_of_families(std::string_view shape, const Ink& ink) {
   const int width = 2 + subject_width + 1 + family_width;
   const std::string name = fmt::format("{:<{}}", shape, width);
   return ink.heading(name) + std::string(verdicts_above) +
-         fmt::format("{:>6}{:>7}{:>7}{:>7}\n{:<{}}", "", "ulp", "ulp", "forced", "", width) +
+         fmt::format("{:>11}{:>9}{:>7}{:>7}\n{:<{}}", "main", "wrong to", "ulp", "forced", "",
+                     width) +
          std::string(verdicts_below) +
-         fmt::format("{:>6}{:>7}{:>7}{:>7}\n", "touch", "p99", "max", "max");
+         fmt::format("{:>11}{:>9}{:>7}{:>7}\n", "cause", "margin", "max", "max");
 }
 
 /// The families that every number of a routine has right on a shape, of how many.
@@ -210,13 +219,16 @@ std::string title(const Run& run) {
 std::string legend(bool each_family) {
   return wrapped(
       fmt::format(
-          "Per cent of the cases are wrong, and how; a t is wrong where it is off by more "
-          "than 1/{:.0f} of itself. {} Ulp: the error of t in units of its last place. "
-          "Forced: the same in units of what rounding the numbers of the case once would do "
-          "to t. p50, p99, max: half, 99% and all of the hits are no worse.",
+          "Per cent of the cases are wrong, and how; a t is wrong where it is off by more than "
+          "1/{:.0f} of itself. {}Cause: by exact replay of a share of the wrong answers; formula: "
+          "wrong without any rounding too; assumption: right once what it takes for granted is so; "
+          "flip: one comparison that rounding turned; rounding: the rest. Margin: how far the "
+          "numbers of a case must move for its truth to change, in units u of rounding, to first "
+          "order: wrong up to a few u is excusable, wrong at 1e6 u is a defect. Ulp: the error of "
+          "t in units of its last place. Forced: the same in units of what rounding the numbers of "
+          "the case once would do to t.",
           1 / wrong_t_limit,
-          each_family ? "Touch: a hit or a miss by convention, never counted as wrong."
-                      : "Holds: the families where none is wrong, of how many."),
+          each_family ? "" : "Holds: the families where none is wrong, of how many. "),
       0);
 }
 
@@ -233,7 +245,7 @@ std::string surroundings(const Environment& environment) {
 
 std::string summary(const Run& run, const Ink& ink) {
   std::uint64_t cases = 0, wrong = 0, holding = 0, valid = 0, by_exact = 0, decided = 0;
-  for (const auto& [subject, family, shape, tally] : run.audits) {
+  for (const auto& [subject, family, shape, tally, most_ulps] : run.audits) {
     cases += tally.cases;
     wrong += tally.wrong();
     holding += tally.wrong() == 0;
@@ -271,6 +283,7 @@ std::string write_table(const Run& run, const Look& look) {
   const std::string touches = write_touches(run, ink);
   if (!touches.empty()) text += touches + '\n';
   text += write_findings(run, ink, look.all_findings) + '\n';
+  text += write_limits(run, ink) + '\n';
   if (!each_family) text += holding(run, ink) + '\n';
   return text + surroundings(run.environment) + summary(run, ink);
 }

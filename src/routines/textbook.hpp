@@ -19,10 +19,10 @@ struct Textbook {
     const N across = dot(ray.direction, disk.normal);
     if (across == N(0)) return {};
     const N t = dot(disk.centre - ray.origin, disk.normal) / across;
-    return first_root(ray, {t, t}, [&](const N& root) {
-      const Vec3<N> p = ray.origin + root * ray.direction;
-      return dot(p - disk.centre, p - disk.centre) <= disk.radius * disk.radius;
-    });
+    if (!in_range(ray, t)) return {};
+    const Vec3<N> p = ray.origin + t * ray.direction;
+    if (dot(p - disk.centre, p - disk.centre) <= disk.radius * disk.radius) return t;
+    return {};
   }
 
   template <class N>

@@ -24,10 +24,10 @@ struct UnitSpace {
     const Vec3<N>&o = unit.origin, &d = unit.direction;
     if (d.y == N(0)) return {};
     const N t = -o.y / d.y;
-    return first_root(ray, {t, t}, [&](const N& root) {
-      const N x = o.x + root * d.x, z = o.z + root * d.z;
-      return x * x + z * z <= N(1);
-    });
+    if (!in_range(ray, t)) return {};
+    const N x = o.x + t * d.x, z = o.z + t * d.z;
+    if (x * x + z * z <= N(1)) return t;
+    return {};
   }
 
   template <class N>

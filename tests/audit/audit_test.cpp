@@ -177,11 +177,12 @@ BOOST_AUTO_TEST_CASE(an_audit_does_not_depend_on_what_is_audited_beside_it) {
 
 namespace {
 
-/// A subject that notes the cases it is shown, and says miss.
+/// A subject that notes the cases it is shown in batches, and says miss.
 Subject noting(std::vector<Case>& seen, const Format& format) {
   Subject subject{"noting/" + std::string(format.name), format, {}};
   subject.answer[sphere] = [&seen](std::span<const Case> cases, std::span<Answer> answers) {
-    seen.insert(seen.end(), cases.begin(), cases.end());
+    // Alone it is asked again for the cause of a wrong answer.
+    if (cases.size() > 1) seen.insert(seen.end(), cases.begin(), cases.end());
     for (Answer& answer : answers) answer = Answer::miss();
   };
   return subject;
@@ -396,9 +397,70 @@ BOOST_AUTO_TEST_CASE(sound_routines_in_double_are_never_wrong_anywhere) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(every_wrong_case_that_is_shown_has_its_cause) {
+  for (const Audit& audit : run(part(2000)))
+    for (const Outcome& outcome : audit.tally.outcomes) {
+      if (!is_wrong(outcome.verdict)) continue;
+      const Diagnosis& found = outcome.worst->diagnosis;
+      BOOST_TEST((found.cause != Cause::unknown && found.cause != Cause::convention),
+                 title(audit) << ": " << case_line(outcome.worst->question));
+      BOOST_TEST((found.cause == Cause::flip) == found.turned.has_value());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_share_is_replayed_where_much_is_wrong_and_all_where_little_is) {
+  Plan plan = part(3 * chunk_cases);
+  for (const Audit& audit : run(plan)) {
+    const std::uint64_t wrong = audit.tally.wrong(), replayed = audit.tally.causes().replayed();
+    BOOST_TEST(replayed <= 3 * replays_a_chunk, title(audit));
+    BOOST_TEST(replayed >= std::min<std::uint64_t>(wrong, replays_a_chunk), title(audit));
+  }
+  plan.thorough = true;
+  for (const Audit& audit : run(plan))
+    BOOST_TEST(audit.tally.causes().replayed() == audit.tally.wrong(), title(audit));
+}
+
+BOOST_AUTO_TEST_CASE(no_certified_verdict_differs_from_the_exact_replay) {
+  std::uint64_t compared = 0;
+  for (const Audit& audit : run(part(2000))) {
+    const Certificate& certificate = audit.tally.certificate;
+    compared += certificate.compared;
+    BOOST_TEST(certificate.wrong == 0U, title(audit)
+                                            << ": "
+                                            << (certificate.first_wrong
+                                                    ? case_line(certificate.first_wrong->question)
+                                                    : ""));
+    if (certificate.proved)
+      BOOST_TEST(certificate.proved->severity >= certificate.observed->severity, title(audit));
+  }
+  BOOST_TEST(compared > 1000U);
+}
+
+BOOST_AUTO_TEST_CASE(an_error_beyond_what_is_held_is_replayed_too) {
+  Plan plan = {.subjects = {subject_of("textbook/float")},
+               .families = {family_of("far")},
+               .shapes = {cylinder},
+               .cases = 1000,
+               .seed = 5};
+  const auto right_replayed = [&] {
+    const std::vector<Audit> audits = run(plan);
+    for (const Outcome& outcome : audits[0].tally.outcomes)
+      if (outcome.verdict == Verdict::right) return outcome.causes.replayed();
+    return std::uint64_t{0};
+  };
+  plan.thorough = true;
+  BOOST_TEST(right_replayed() == 0U);
+  plan.bounds = read_bounds("textbook/float cylinder far max_ulp 1 observed", "a file");
+  BOOST_TEST(right_replayed() > 0U);
+}
+
 BOOST_AUTO_TEST_CASE(a_tally_does_not_grow_with_its_cases) {
   static_assert(std::is_trivially_copyable_v<Histogram>);
-  static_assert(std::is_trivially_copyable_v<Outcome>);
-  for (const Audit& audit : run(part(4000)))
+  static_assert(std::is_trivially_copyable_v<MarginCurve>);
+  for (const Audit& audit : run(part(4000))) {
     BOOST_TEST(audit.tally.outcomes.size() <= 2 * claim_count, title(audit));
+    // A comparison each, at most, of the routine's lines.
+    for (const Outcome& outcome : audit.tally.outcomes)
+      BOOST_TEST(outcome.causes.turned.size() <= 20, title(audit));
+  }
 }

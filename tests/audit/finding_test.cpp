@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(what_has_routine_shape_verdict_and_claim_in_common_is_one_f
   BOOST_TEST(worst.wrong == 100);
   BOOST_TEST(worst.cases == 300);
   BOOST_TEST(worst.share == 0.5);
-  BOOST_TEST(worst.subject->name == "handout/float");
+  BOOST_TEST(worst.audit->subject->name == "handout/float");
   BOOST_TEST((worst.example.question == known_case(2)), case_line(worst.example.question));
 }
 
@@ -80,27 +80,34 @@ BOOST_AUTO_TEST_CASE(the_worst_share_comes_first_then_verdicts_then_names) {
   check(order, {"e", "d", "c", "a", "b"});
 }
 
-BOOST_AUTO_TEST_CASE(rays_that_begin_next_to_the_surface_do_not_lead) {
+BOOST_AUTO_TEST_CASE(the_largest_margin_leads_by_its_power_of_two) {
   HandMade made;
-  turn(made.add("a/float", disk, "spawned"), Verdict::wrong_t, Claim::none, 90, 1);
-  turn(made.add(disk, "surface-near"), Verdict::wrong_t, Claim::none, 80, 2);
-  turn(made.add("b/float", disk, "spawned"), Verdict::wrong_t, Claim::none, 40, 3);
-  turn(made.add(disk, "far"), Verdict::wrong_t, Claim::none, 5, 4);
-  turn(made.add("c/float", disk, "far"), Verdict::wrong_t, Claim::none, 6, 5);
-  turn(made.add("d/float", disk, "surface-near"), Verdict::wrong_t, Claim::none, 95, 6);
+  turn(made.add("a/float", disk, "spawned"), Verdict::wrong_t, Claim::none, 90, 1, 3);
+  turn(made.add(disk, "far"), Verdict::wrong_t, Claim::none, 2, 2, 70);
+  turn(made.add("b/float", disk, "spawned"), Verdict::wrong_t, Claim::none, 80, 3, 5);
+  turn(made.add("c/float", disk, "far"), Verdict::wrong_t, Claim::none, 6, 4, 65);
+  turn(made.add("d/float", disk, "far"), Verdict::wrong_t, Claim::none, 1, 5, 1e6);
   const auto found = findings(made.audits);
   Names order;
   for (const Finding& finding : found) order.push_back(finding.routine);
-  check(order, {"c", "b", "d", "a"});
-  BOOST_TEST(found[1].share == 0.4);
-  BOOST_TEST(found[1].share_elsewhere == 0.05);
-  BOOST_TEST(found[3].share_elsewhere == 0);
-  const auto is_example_of = [&](std::size_t place, double x) {
-    const Case& question = found[place].example.question;
-    BOOST_TEST((question == known_case(x)), case_line(question));
-  };
-  is_example_of(1, 4);
-  is_example_of(3, 1);
+  check(order, {"d", "a", "c", "b"});
+  BOOST_TEST(found[1].margin() == 70);
+  BOOST_TEST(found[1].audit->family->id == "far");
+  BOOST_TEST((found[1].example.question == known_case(2)), case_line(found[1].example.question));
+}
+
+BOOST_AUTO_TEST_CASE(the_causes_of_a_finding_are_those_of_its_audits) {
+  HandMade made;
+  Tally& here = made.add("a/float", disk, "far");
+  turn(here, Verdict::wrong_t, Claim::none, 3);
+  here.outcome(Verdict::wrong_t, Claim::none).causes.add({Cause::rounding, {}, {}});
+  Tally& there = made.add("a/double", disk, "far");
+  turn(there, Verdict::wrong_t, Claim::none, 3);
+  there.outcome(Verdict::wrong_t, Claim::none).causes.add({Cause::formula, {}, {}});
+  const auto found = findings(made.audits);
+  BOOST_REQUIRE(found.size() == 1);
+  BOOST_TEST(found[0].causes.replayed() == 2U);
+  BOOST_TEST(found[0].causes.of(Cause::formula) == 1U);
 }
 
 BOOST_AUTO_TEST_CASE(invalid_cases_come_last) {

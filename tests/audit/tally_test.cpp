@@ -19,7 +19,10 @@ Tally tallied(const std::vector<std::string>& lines, std::uint64_t place) {
     const CaseLine read = read_case_line(line);
     const oracle::Truth truth = oracle::truth(read.question);
     Settled settled(read.question, truth);
-    tally.add(settled, *read.answer, judge(settled, *read.answer, double_format), place++);
+    const Judgement judgement = judge(settled, *read.answer, double_format);
+    const double margin = std::ldexp(settled.reach(), double_format.precision);
+    tally.add(settled, *read.answer, judgement, place++, margin);
+    tally.curve.add(margin, is_wrong(judgement.verdict));
   }
   return tally;
 }
@@ -84,11 +87,61 @@ BOOST_AUTO_TEST_CASE(the_worst_case_of_each_verdict_is_kept_whole) {
   BOOST_TEST((worst.question == read_case_line(through).question));
 }
 
-BOOST_AUTO_TEST_CASE(the_worst_false_miss_is_the_best_conditioned_one) {
+BOOST_AUTO_TEST_CASE(the_worst_wrong_case_is_the_one_with_the_largest_margin) {
   const Tally tally = tallied({"sphere 0 0 0 1 ray 0 0x1.ffffp-1 -3 0 0 1 miss", through + "miss",
                                "sphere 0 0 0 1 ray 0 0.9 -3 0 0 1 miss"},
                               0);
   BOOST_TEST(tally.worst(Verdict::false_miss)->place == 1U);
+  BOOST_TEST(tally.widest()->place == 1U);
+  // r / (|y| + r) for a line at the height y = 0: half of the radius and of the origin.
+  BOOST_TEST(tally.widest()->severity > 0x1p49);
+}
+
+BOOST_AUTO_TEST_CASE(the_curve_counts_cases_and_wrong_ones_by_their_margin_and_no_touch) {
+  const Tally tally = tallied({through + "hit 2", through + "miss", through + "hit 2",
+                               "sphere 0 0 0 1 ray 0 0x1.fffffffffffffp-1 -3 0 0 1 miss",
+                               "sphere 0 0 0 1 ray 0 1 -3 0 0 1 miss"},
+                              0);
+  MarginCurve::Step all;
+  for (int exponent = MarginCurve::least; exponent <= MarginCurve::most; ++exponent) {
+    const auto& [cases, wrong] = tally.curve.at(exponent);
+    all.cases += cases, all.wrong += wrong;
+    if (exponent < 3) BOOST_TEST(wrong == cases);
+  }
+  BOOST_TEST(all.cases == 4U);
+  BOOST_TEST(all.wrong == 2U);
+  BOOST_TEST(tally.curve.at(MarginCurve::most).cases == 3U);
+}
+
+BOOST_AUTO_TEST_CASE(margins_beyond_the_curve_count_at_its_ends) {
+  MarginCurve curve;
+  curve.add(0x1p-40, true);
+  curve.add(std::numeric_limits<double>::infinity(), false);
+  curve.add(0x1p300, true);
+  curve.add(3, true);
+  BOOST_TEST(curve.at(MarginCurve::least).wrong == 1U);
+  BOOST_TEST(curve.at(MarginCurve::most).cases == 2U);
+  BOOST_TEST(curve.at(1).cases == 1U);
+}
+
+BOOST_AUTO_TEST_CASE(causes_are_counted_by_place_and_merge) {
+  replay::Step here, there;
+  here.file = "routines/a.hpp", here.line = 7;
+  there.file = "routines/a.hpp", there.line = 3;
+  CauseCount a, b;
+  a.add({Cause::flip, {}, here});
+  a.add({Cause::formula, "a division by 0", {}});
+  b.add({Cause::flip, {}, there});
+  b.add({Cause::flip, {}, here});
+  b.add({Cause::rounding, {}, {}});
+  a.merge(b);
+  BOOST_TEST(a.replayed() == 5U);
+  BOOST_TEST(a.of(Cause::flip) == 3U);
+  BOOST_REQUIRE(a.turned.size() == 2);
+  BOOST_TEST((a.turned[0].line == 3 && a.turned[0].count == 1));
+  BOOST_TEST((a.turned[1].line == 7 && a.turned[1].count == 2));
+  BOOST_REQUIRE(a.about.size() == 1);
+  BOOST_TEST(a.about[0].about == "a division by 0");
 }
 
 BOOST_AUTO_TEST_CASE(claims_of_one_verdict_are_kept_apart) {

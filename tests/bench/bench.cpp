@@ -10,6 +10,10 @@
 
 #include "audit/audit.hpp"
 #include "audit/environment.hpp"
+#include "geometry/flattened.hpp"
+#include "numbers/running_bound.hpp"
+#include "routines/routines.hpp"
+#include "subjects/certified.hpp"
 
 using namespace rayaudit;
 
@@ -47,20 +51,23 @@ void conclude(const Line& line) {
 /// microseconds are for a core where it takes ten.
 double sphere_ns = 0;
 
-const Subject& textbook() {
-  return *std::ranges::find(built_in_subjects(), "textbook/double", &Subject::name);
+const Subject& subject_called(std::string_view name) {
+  return *std::ranges::find(built_in_subjects(), name, &Subject::name);
 }
+
+const Subject& textbook() { return subject_called("textbook/double"); }
 
 const Family& family_called(std::string_view id) {
   return *std::ranges::find(families(), id, &Family::id);
 }
 
 /// Many more cases than a processor can learn the branches of.
-std::vector<Case> drawn(std::size_t shape, const Family& family) {
+std::vector<Case> drawn(std::size_t shape, const Family& family,
+                        const Format& format = double_format) {
   constexpr std::size_t chunks = 32;
   std::vector<Case> cases(chunks * chunk_cases);
   for (std::size_t chunk = 0; chunk < chunks; ++chunk)
-    draw(family, shape, double_format, {}, 1, chunk,
+    draw(family, shape, format, {}, 1, chunk,
          std::span(cases).subspan(chunk * chunk_cases, chunk_cases));
   return cases;
 }
@@ -150,6 +157,110 @@ void two_threads(benchmark::State& state) {
   conclude({"audit on two threads", gain, 1.8, false, "x one, best of five rounds each"});
 }
 
+/// What answer(cases) costs beside a plain subject on the same cases *anywhere*, chunk by chunk.
+template <class Function>
+void beside_plain(benchmark::State& state, const std::string& what, const Subject& plain,
+                  std::size_t shape, double limit, const Function& answer) {
+  const std::vector<Case> all = drawn(shape, family_called("anywhere"), plain.drawn_in());
+  std::vector<Answer> answers(chunk_cases);
+  std::vector<double> ratios;
+  for (auto _ : state) {
+    double plain_time = 0, time = 0;
+    for (std::size_t i = 0; i < all.size(); i += chunk_cases) {
+      const std::span cases = std::span(all).subspan(i, chunk_cases);
+      const auto start = Clock::now();
+      plain.answer[shape](cases, answers);
+      benchmark::DoNotOptimize(answers.data());
+      const auto middle = Clock::now();
+      answer(cases);
+      time += seconds(middle);
+      plain_time += std::chrono::duration<double>(middle - start).count();
+    }
+    ratios.push_back(time / plain_time);
+    state.SetIterationTime(time);
+  }
+  state.counters["ratio"] = median(ratios);
+  conclude({what, median(ratios), limit, true, "x " + plain.name});
+}
+
+template <class Function>
+void add_beside_plain(const std::string& what, const std::string& plain, std::size_t shape,
+                      double limit, const Function& answer) {
+  benchmark::RegisterBenchmark(what.c_str(),
+                               [=](benchmark::State& state) {
+                                 beside_plain(state, what, subject_called(plain), shape, limit,
+                                              answer);
+                               })
+      ->UseManualTime()
+      ->MinTime(0.3);
+}
+
+struct BoundedHit {
+  bool hit, proved;
+  double t, error;
+};
+
+/// The routine in numbers with a running bound, as an audit runs it.
+template <class Routine, class N, class S>
+void answer_in_bounds(std::span<const Case> cases, std::span<BoundedHit> answers) {
+  using Bound = RunningBound<N>;
+  run_flattened([&] {
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      const ProofWatch<N> watch;
+      const std::optional<Bound> t = Routine()(in<Bound>(in<N>(cases[i].ray)),
+                                               in<Bound>(in<N>(*std::get_if<S>(&cases[i].shape))));
+      answers[i] = {t.has_value(), watch.all_proved(), 0, 0};
+      if (t) answers[i].t = static_cast<double>(t->value), answers[i].error = t->error();
+    }
+  });
+}
+
+template <class Routine, class N, class S>
+void add_bound() {
+  if constexpr (std::is_invocable_v<Routine, const Ray<double>&, const S&>) {
+    const std::string plain = fmt::format("{}/{}", Routine::name, format_of<N>.name);
+    const std::size_t shape = Shape(S()).index();
+    add_beside_plain(fmt::format("bound, {} {}", S::name, plain), plain, shape, 5,
+                     [](std::span<const Case> cases) {
+                       std::vector<BoundedHit> answers(cases.size());
+                       answer_in_bounds<Routine, N, S>(cases, answers);
+                       benchmark::DoNotOptimize(answers.data());
+                     });
+  }
+}
+
+template <class Routine>
+void add_bounds() {
+  [&]<class... S>(const std::variant<S...>*) {
+    (add_bound<Routine, float, S>(), ...);
+    (add_bound<Routine, double, S>(), ...);
+  }(static_cast<const Shape*>(nullptr));
+}
+
+void add_certified(std::size_t shape, const std::string& format, double limit) {
+  const std::string best = shape_names[shape] == "disk" ? "division_free/" : "closest_approach/";
+  const Subject& subject = subject_called("certified/" + format);
+  add_beside_plain(fmt::format("{}, {}", subject.name, shape_names[shape]), best + format, shape,
+                   limit, [&subject, shape](std::span<const Case> cases) {
+                     std::vector<Answer> answers(cases.size());
+                     subject.answer[shape](cases, answers);
+                     benchmark::DoNotOptimize(answers.data());
+                   });
+}
+
+void add_certified(std::size_t shape) {
+  add_certified(shape, "float", 4);
+  add_certified(shape, "double", 15);
+  const bool is_disk = shape_names[shape] == "disk";
+  add_beside_plain(fmt::format("certified to a bound, {}", shape_names[shape]),
+                   is_disk ? "division_free/double" : "closest_approach/double", shape, 6,
+                   [](std::span<const Case> cases) {
+                     std::vector<Certified> answers(cases.size());
+                     certify(cases, answers);
+                     benchmark::DoNotOptimize(answers.data());
+                   });
+}
+
 template <class Function>
 void add(std::string_view what, std::size_t shape, std::string_view id, const Function& measure,
          double least_seconds) {
@@ -169,6 +280,11 @@ void add_all() {
     for (const auto* id : {"anywhere", "tangent", "rim", "apex", "parallel", "within", "surface"})
       if (shape != sphere || std::string_view(id) != "anywhere")
         add("truth", shape, id, truth_beside_textbook, 0.5);
+  add_bounds<ClosestApproach>();
+  add_bounds<DivisionFree>();
+  add_bounds<StableQuadratic>();
+  add_bounds<Textbook>();
+  for (std::size_t shape = 0; shape < shape_count; ++shape) add_certified(shape);
   for (std::size_t shape = 0; shape < shape_count; ++shape)
     for (const auto* id : {"anywhere", "grazing", "tangent"})
       add("audit", shape, id, whole_audit, 1);
@@ -188,7 +304,7 @@ int main(int count, char** arguments) {
   for (const auto& [what, value, limit, at_most, unit] : summary) {
     const Line line{what, value, limit, at_most, unit};
     all_met = all_met && line.is_met();
-    fmt::print("{:28} {:8.2f} {} (asked: {} {:g}){}\n", what, value, unit,
+    fmt::print("{:44} {:8.2f} {} (asked: {} {:g}){}\n", what, value, unit,
                at_most ? "at most" : "at least", limit, line.is_met() ? "" : "   NOT MET");
   }
   return all_met ? 0 : 1;

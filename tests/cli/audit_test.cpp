@@ -43,10 +43,11 @@ BOOST_AUTO_TEST_CASE(globs_and_names_choose_what_is_audited) {
     if (audit["family"] == "inside") audited.push_back(audit["subject"]);
   }
   const std::vector<std::string> chosen = {"handout/float",          "textbook/float",
-                                           "textbook/double",        "unit_space/float",
-                                           "stable_quadratic/float", "closest_approach/float"};
+                                           "textbook/double",        "unit_direction/float",
+                                           "unit_space/float",       "stable_quadratic/float",
+                                           "closest_approach/float", "certified/float"};
   BOOST_TEST(audited == chosen, boost::test_tools::per_element());
-  BOOST_TEST(report["audits"].size() == 18);
+  BOOST_TEST(report["audits"].size() == 24);
 }
 
 BOOST_AUTO_TEST_CASE(counts_are_read_as_people_write_them) {
@@ -118,7 +119,7 @@ BOOST_AUTO_TEST_CASE(findings_are_no_failure_unless_asked) {
   BOOST_TEST(failed.err.starts_with("rayaudit: --fail-on: textbook/float on sphere, family far: "));
   BOOST_TEST(contains(failed.err,
                       " of 1,000 cases false_hit (and 1 more audit fails): rayaudit "
-                      "explain --format float 'sphere "));
+                      "explain --subject textbook/float 'sphere "));
   BOOST_TEST(shell::line_count(failed.err) == 1);
 }
 

@@ -20,16 +20,19 @@ std::string told(const std::string& line) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_hit_is_told_as_a_closed_form_and_in_digits) {
-  BOOST_TEST(told("'sphere 0 0 0 1 ray 0 0.5 -3 0 0 1 # half up'") ==
-             "sphere    centre (0, 0, 0)  radius 1\n"
-             "ray       origin (0, 0.5, -3)  direction (0, 0, 1)  range (0, inf)\n"
-             "why       half up\n"
-             "truth     a hit (decided by intervals)\n"
-             "  hit            t = (6 - sqrt(3)) / 2\n"
-             "                   = 2.133974596215561353236276829247063816529...\n"
-             "                   nearest double 2.133974596215561 = 0x1.1126145e9ecd5p+1\n"
-             "other roots, no answers:\n"
-             "  later          t = 3.866025403784439\n");
+  BOOST_TEST(
+      told("'sphere 0 0 0 1 ray 0 0.5 -3 0 0 1 # half up'") ==
+      "sphere    centre (0, 0, 0)  radius 1\n"
+      "ray       origin (0, 0.5, -3)  direction (0, 0, 1)  range (0, inf)\n"
+      "why       half up\n"
+      "truth     a hit (decided by intervals)\n"
+      "  hit            t = (6 - sqrt(3)) / 2\n"
+      "                   = 2.133974596215561353236276829247063816529...\n"
+      "                   nearest double 2.133974596215561 = 0x1.1126145e9ecd5p+1\n"
+      "margin    1.6e6 u in float, 8.4e14 in double, 1.7e18 in long double: whether the line "
+      "meets the surface\n"
+      "other roots, no answers:\n"
+      "  later          t = 3.866025403784439\n");
 }
 
 BOOST_AUTO_TEST_CASE(touches_are_told_with_their_kind) {
@@ -43,10 +46,13 @@ BOOST_AUTO_TEST_CASE(touches_are_told_with_their_kind) {
 }
 
 BOOST_AUTO_TEST_CASE(roots_that_are_no_answers_are_told_with_their_standing) {
-  BOOST_TEST(contains(told("disk 0 0 0 0 1 0 1 ray 3 2 0 0 -1 0"),
-                      "truth     a miss (decided by intervals)\n"
-                      "other roots, no answers:\n"
-                      "  clipped        t = 2\n"));
+  BOOST_TEST(
+      contains(told("disk 0 0 0 0 1 0 1 ray 3 2 0 0 -1 0"),
+               "truth     a miss (decided by intervals)\n"
+               "margin    4.2e6 u in float, 2.3e15 in double, 4.6e18 in long double: whether "
+               "it lies inside the rim\n"
+               "other roots, no answers:\n"
+               "  clipped        t = 2\n"));
 }
 
 BOOST_AUTO_TEST_CASE(an_invalid_case_is_told_with_its_reason) {
@@ -62,13 +68,54 @@ BOOST_AUTO_TEST_CASE(words_with_signs_are_no_options) {
 BOOST_AUTO_TEST_CASE(every_subject_answers_and_is_judged) {
   const auto ended = run("rayaudit explain sphere 0 0 0 1 ray 0 0 -3 0 0 1");
   BOOST_TEST(contains(ended.out,
-                      "subject                        answer                     verdict           "
-                      "         ulps   forced  side\n"));
+                      "subject                      answer                     verdict             "
+                      "       ulps   forced  side    cause\n"));
   for (const std::string number : {"float      ", "double     ", "long_double"})
     BOOST_TEST(contains(ended.out, "textbook/" + number +
-                                       "           hit 2                      right             "
-                                       "            0        0  on\n"));
+                                       "         hit 2                      right               "
+                                       "          0        0  on\n"));
   BOOST_TEST(!contains(ended.out, "division_free"));
+}
+
+const std::string lost_at_a_distance =
+    "'sphere -0x1.15198p-3 0x1.65ce58p-3 -0x1.b7ad3ep-1 0x1.a2d666p+1 ray 0x1.57f0d6p+13 "
+    "0x1.656956p+13 0x1.60127cp+13 -0x1.a7ed0ap-1 -0x1.b876d4p-1 -0x1.b24f06p-1'";
+
+BOOST_AUTO_TEST_CASE(a_wrong_answer_has_its_cause) {
+  const auto ended = run("rayaudit explain " + lost_at_a_distance);
+  const std::size_t row = ended.out.find("\ntextbook/float");
+  BOOST_REQUIRE(row != std::string::npos);
+  const std::string line = ended.out.substr(row, ended.out.find('\n', row + 1) - row);
+  BOOST_TEST(contains(line, "false_hit no_root"), line);
+  BOOST_TEST(line.ends_with(" flip"), line);
+}
+
+BOOST_AUTO_TEST_CASE(a_subject_is_followed_step_by_step_to_where_the_paths_part) {
+  const auto ended = run("rayaudit explain --subject textbook/float " + lost_at_a_distance);
+  BOOST_TEST(ended.code == 0);
+  BOOST_TEST(contains(ended.out,
+                      "\ncause     flip at routines/quadratic_formula.hpp:20\n"
+                      "          if (discriminant < N(0)) return {};\n"
+                      "textbook/float, step by step:\n"));
+  BOOST_TEST(contains(ended.out, "  routines/textbook.hpp:33  const N b = N(2) * dot(v, d);\n"));
+  const std::size_t parted = ended.out.find("<-- the paths part");
+  BOOST_REQUIRE(parted != std::string::npos);
+  const std::size_t begin = ended.out.rfind('\n', parted) + 1;
+  const std::string line = ended.out.substr(begin, parted - begin);
+  BOOST_TEST(contains(line, " < 0: no, but exactly -"), line);
+  BOOST_TEST(contains(line, " < 0: yes"), line);
+}
+
+BOOST_AUTO_TEST_CASE(a_subject_that_cannot_be_followed_says_so) {
+  BOOST_TEST(contains(
+      run("rayaudit explain --subject certified/float sphere 0 0 0 1 ray 0 0 -3 0 0 1").out,
+      "certified/float cannot be replayed step by step\n"));
+  const auto other =
+      run("rayaudit explain --subject division_free/float sphere 0 0 0 1 ray 0 0 -3 0 0 1");
+  BOOST_TEST(other.code == 2);
+  BOOST_TEST(other.err == "rayaudit: --subject: division_free/float does not answer a sphere\n");
+  BOOST_TEST(run("rayaudit explain --subject textbok/float sphere 0 0 0 1 ray 0 0 -3 0 0 1").code ==
+             2);
 }
 
 BOOST_AUTO_TEST_CASE(subjects_in_float_are_not_asked_about_numbers_that_are_no_floats) {
@@ -82,14 +129,14 @@ BOOST_AUTO_TEST_CASE(subjects_in_float_are_not_asked_about_numbers_that_are_no_f
 BOOST_AUTO_TEST_CASE(the_answer_on_the_line_is_judged_first_in_the_format_asked_for) {
   const std::string line = "sphere 0 0 0 1 ray 0 0 -3 0 0 1 hit 0x1.000002p+1";
   const auto first_answer = [](const shell::Ended& ended) {
-    const std::size_t begin = ended.out.find("side\n") + 5;
+    const std::size_t begin = ended.out.find("cause\n") + 6;
     return ended.out.substr(begin, ended.out.find('\n', begin) - begin);
   };
   BOOST_TEST(first_answer(run("rayaudit explain '" + line + "'")) ==
-             "the line, in double            hit 2.000000238418579      right                     "
+             "the line, in double          hit 2.000000238418579      right                     "
              "5.4e8    3.6e8  beyond");
   BOOST_TEST(first_answer(run("rayaudit explain --format float " + line)) ==
-             "the line, in float             hit 2.0000002              right                     "
+             "the line, in float           hit 2.0000002              right                     "
              "    1    0.667  beyond");
 }
 

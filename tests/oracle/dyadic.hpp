@@ -25,7 +25,11 @@ struct Dyadic {
   int sign() const { return m.sign(); }
 };
 
-inline Dyadic operator-(const Dyadic& a) { return {-a.m, a.e}; }
+inline Dyadic operator-(const Dyadic& a) {
+  Dyadic negative = a;
+  negative.m.backend().negate();  // gcc 12 takes the expression -m for uninitialized
+  return negative;
+}
 
 inline Dyadic operator+(const Dyadic& a, const Dyadic& b) {
   if (a.m == 0) return b;

@@ -31,7 +31,7 @@ struct HandMade {
     ids.push_back(family);
     families.push_back({ids.back(), "", Strength::anywhere, {}, {}});
     subjects.push_back({subject, float_format, {}});
-    audits.push_back({&subjects.back(), &families.back(), shape, {}});
+    audits.push_back({&subjects.back(), &families.back(), shape, {}, {}});
     Tally& tally = audits.back().tally;
     tally.cases = tally.by_interval = tally.verdicts[0] = 100;
     return tally;
@@ -52,8 +52,10 @@ inline Case known_case(double x) {
   return {{{x, 0.1, -0.0}, {0, 0, 1}}, Sphere<double>{{0, 0, 5}, 1}};
 }
 
-/// Turns so many right answers of a tally into others, the worst of them to a known case.
-inline void turn(Tally& tally, Verdict verdict, Claim claim, std::uint64_t count, double x = 0) {
+/// Turns so many right answers of a tally into others, the worst of them to a known case with a
+/// margin.
+inline void turn(Tally& tally, Verdict verdict, Claim claim, std::uint64_t count, double x = 0,
+                 double margin = 1) {
   tally.verdicts[0] -= count;
   tally.verdicts[static_cast<std::size_t>(verdict)] += count;
   const bool invalid =
@@ -62,7 +64,7 @@ inline void turn(Tally& tally, Verdict verdict, Claim claim, std::uint64_t count
   const Judgement judgement = {.verdict = verdict, .claim = claim};
   Outcome& outcome = tally.outcome(verdict, claim);
   outcome.count += count;
-  outcome.worst = Worst{0, 0, known_case(x), Answer::hit(real(4.5)), judgement};
+  outcome.worst = Worst{margin, 0, known_case(x), Answer::hit(real(4.5)), judgement, {}};
 }
 
 }  // namespace rayaudit

@@ -85,6 +85,50 @@ BOOST_AUTO_TEST_CASE(claims_sides_touches_and_findings_are_named) {
   BOOST_TEST(report.at("findings").at(0).at("share") == 0.05);
 }
 
+BOOST_AUTO_TEST_CASE(causes_margin_and_bound_are_told_for_each_audit) {
+  HandMade made;
+  Tally& tally = made.add("textbook/float", 1, "far");
+  turn(tally, Verdict::false_miss, Claim::none, 10, 0.3, 7);
+  turn(tally, Verdict::touch, Claim::none, 5);
+  CauseCount& found = tally.outcome(Verdict::false_miss, Claim::none).causes;
+  found.add({Cause::flip, {}, {}});
+  found.add({Cause::flip, {}, {}});
+  found.add({Cause::rounding, {}, {}});
+  tally.curve.add(2.5, true);
+  tally.curve.add(2.5, false);
+  tally.certificate.cases = 8, tally.certificate.certified = 2;
+  tally.certificate.proved = Worst{.severity = 12.5};
+  tally.certificate.observed = Worst{.severity = 2};
+  const auto report = parsed(made);
+  const auto audit = report.at("audits").at(0);
+  const auto causes = audit.at("causes");
+  for (const auto* key : {"formula", "assumption", "unknown"}) BOOST_TEST(causes.at(key) == 0, key);
+  BOOST_TEST(causes.at("convention") == 5);
+  BOOST_TEST(causes.at("flip") == 2);
+  BOOST_TEST(causes.at("rounding") == 1);
+  BOOST_TEST(causes.at("replayed") == 3);
+  const auto margin = audit.at("margin");
+  BOOST_TEST(margin.at("largest_wrong") == 7);
+  const std::string line = margin.at("case");
+  BOOST_TEST((read_case_line(line).question == known_case(0.3)), line);
+  BOOST_TEST(margin.at("curve") == nlohmann::json::parse("[[1, 2, 1]]"));
+  BOOST_TEST(audit.at("certified").at("share") == 0.25);
+  BOOST_TEST(audit.at("certified").at("wrong") == 0);
+  BOOST_TEST(audit.at("bound").at("proved_ulp") == 12.5);
+  BOOST_TEST(audit.at("bound").at("observed_ulp") == 2);
+  BOOST_TEST(report.at("findings").at(0).at("margin") == 7);
+  BOOST_TEST(report.at("findings").at(0).at("causes").at("flip") == 2);
+}
+
+BOOST_AUTO_TEST_CASE(what_nothing_is_known_of_is_null) {
+  HandMade made;
+  made.add("textbook/float", 1, "far");
+  const auto audit = parsed(made).at("audits").at(0);
+  BOOST_TEST(audit.at("margin").at("largest_wrong").is_null());
+  BOOST_TEST(audit.at("certified").at("share").is_null());
+  BOOST_TEST(audit.at("bound").at("proved_ulp").is_null());
+}
+
 BOOST_AUTO_TEST_CASE(what_was_declared_is_on_record) {
   HandMade made;
   made.plan.convention.of(oracle::Kind::tangent) = Convention::Stance::miss;

@@ -35,16 +35,18 @@ std::string shapes_of(std::string_view name) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(every_routine_is_there_in_float_double_and_long_double) {
+BOOST_AUTO_TEST_CASE(every_routine_is_there_in_float_double_and_long_double_and_two_are_certified) {
   std::string names;
   for (const Subject& subject : built_in_subjects()) names += subject.name + '\n';
   BOOST_TEST(names ==
              "handout/float\nhandout/double\nhandout/long_double\n"
              "textbook/float\ntextbook/double\ntextbook/long_double\n"
+             "unit_direction/float\nunit_direction/double\nunit_direction/long_double\n"
              "unit_space/float\nunit_space/double\nunit_space/long_double\n"
              "stable_quadratic/float\nstable_quadratic/double\nstable_quadratic/long_double\n"
              "closest_approach/float\nclosest_approach/double\nclosest_approach/long_double\n"
-             "division_free/float\ndivision_free/double\ndivision_free/long_double\n");
+             "division_free/float\ndivision_free/double\ndivision_free/long_double\n"
+             "certified/float\ncertified/double\n");
 }
 
 BOOST_AUTO_TEST_CASE(a_subject_answers_the_shapes_that_its_routine_takes) {

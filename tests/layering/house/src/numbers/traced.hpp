@@ -1,2 +1,2 @@
 #pragma once
-#include <geometry/vec3.hpp>
+#include <routines/textbook.hpp>

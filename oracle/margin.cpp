@@ -1,0 +1,576 @@
+#include "oracle/margin.hpp"
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "oracle/dual.hpp"
+#include "oracle/fields.hpp"
+#include "oracle/fused.hpp"
+#include "oracle/prepared.hpp"
+#include "oracle/radical.hpp"
+
+namespace rayaudit::oracle {
+namespace {
+
+using Exact = CGAL::Mpzf;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// For slopes that all but cancel: fifty digits.
+using Fine = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
+                                           boost::multiprecision::et_off>;
+
+/// x + y sqrt(d), exactly; its derivatives are numbers of L, long doubles first, whose exponents no
+/// field of ours leaves. Numbers with a root share one d. For spread see Word.
+template <class L>
+struct Surd {
+  Exact x = 0, y = 0, d = 0;
+  L spread = 0;
+
+  Surd() = default;
+  explicit Surd(double v) : x(v) {}
+  Surd(Exact a, Exact b, Exact c, L s)
+      : x(std::move(a)), y(std::move(b)), d(std::move(c)), spread(std::move(s)) {}
+
+  const Exact& common_square(const Surd& b) const { return y.sign() != 0 ? d : b.d; }
+
+  friend Surd operator-(const Surd& a) { return {-a.x, -a.y, a.d, a.spread}; }
+  friend Surd operator+(const Surd& a, const Surd& b) {
+    return {a.x + b.x, a.y + b.y, a.common_square(b), a.spread + b.spread};
+  }
+  friend Surd operator-(const Surd& a, const Surd& b) { return a + -b; }
+  friend Surd operator*(const Surd& a, const Surd& b) {
+    using std::fabs;
+    const L both = fabs(leading(a)) * b.spread + fabs(leading(b)) * a.spread;
+    if (a.y.sign() == 0 && b.y.sign() == 0) return {a.x * b.x, 0, 0, both};
+    const Exact& root = a.common_square(b);
+    return {a.x * b.x + a.y * b.y * root, a.x * b.y + a.y * b.x, root, both};
+  }
+};
+
+/// Is x within the exponents of double, or 0?
+bool fits_double(const Exact& x) {
+  static const Exact most = 0x1p900, least = 0x1p-900;
+  const int sign = x.sign();
+  const Exact size = sign < 0 ? -x : x;
+  return sign == 0 || (least < size && size < most);
+}
+
+/// To the bits of a double at least, or to 150.
+template <class L>
+L leading(const Surd<L>& a) {
+  using std::ldexp;
+  constexpr int parts = std::is_same_v<L, long double> ? 1 : 3;
+  if (a.y.sign() == 0 && fits_double(a.x)) {
+    L sum = a.x.to_double();
+    Exact rest = a.x;
+    for (int i = 1; i < parts; ++i) {
+      rest = rest - Exact(rest.to_double());
+      sum += rest.to_double();
+    }
+    return sum;
+  }
+  const Radical exactly = {.p = a.x, .d = a.y * a.y * a.d, .e = a.y.sign()};
+  const Real t = value(exactly, 50 * parts);
+  return ldexp(L(t.high) + L(t.middle) + L(t.low), t.exponent);
+}
+template <class L>
+Surd<L> sqrt(const Surd<L>& a) {
+  const Surd<L> root = {0, 1, a.x, 0};
+  return {root.x, root.y, root.d, a.spread / (2 * leading(root))};
+}
+
+/// A double-word number for dual numbers that are not inlined; fused where the processor has fused
+/// multiplications, which changes nothing but the speed. Beside it, more than the sum of its
+/// slopes, each by its weight, could come to if nothing cancelled: a measure of what rounding does
+/// to them.
+template <bool fused>
+struct Word {
+  Bounded x;
+  double spread = 0;
+
+  Word() = default;
+  explicit Word(double v) : x(v) {}
+  Word(const Bounded& v, double s) : x(v), spread(s) {}
+
+  friend Word operator-(const Word& a) { return {-a.x, a.spread}; }
+  friend Word operator+(const Word& a, const Word& b) { return {a.x + b.x, a.spread + b.spread}; }
+  friend Word operator-(const Word& a, const Word& b) { return {a.x - b.x, a.spread + b.spread}; }
+  friend Word operator*(const Word& a, const Word& b) {
+    return {a.x * b.x, std::fabs(a.x.high) * b.spread + std::fabs(b.x.high) * a.spread};
+  }
+};
+
+template <bool fused>
+double leading(const Word<fused>& a) {
+  return a.x.high;
+}
+template <bool fused>
+Word<fused> sqrt(const Word<fused>& a) {
+  const Bounded root = sqrt(a.x);
+  return {root, a.spread / (2 * root.high)};
+}
+
+/// Is a sum of slopes of a, each by its weight, known to two digits?
+template <bool fused>
+bool is_known_sum(double sum, const Word<fused>& a) {
+  return sum >= a.spread * 0x1p-40 && sum <= std::numeric_limits<double>::max();
+}
+bool is_known_sum(long double sum, const Surd<long double>& a) {
+  return sum >= a.spread * 0x1p-40L;
+}
+bool is_known_sum(const Fine&, const Surd<Fine>&) { return true; }
+
+template <bool fused>
+void set_weight(Word<fused>& a, double weight) {
+  a.spread = weight;
+}
+template <class L>
+void set_weight(Surd<L>& a, double weight) {
+  a.spread = weight;
+}
+
+/// Is a known to two digits?
+template <bool fused>
+bool is_known(const Word<fused>& a) {
+  return known_to(a.x, 0x1p-7);
+}
+template <class L>
+bool is_known(const Surd<L>&) {
+  return true;
+}
+
+}  // namespace
+
+template <class L>
+struct SlopeOf<Surd<L>> {
+  using type = L;
+};
+template <bool fused>
+struct SlopeOf<Word<fused>> {
+  using type = double;
+};
+
+namespace {
+
+/// The operations of dual numbers, called and not inlined: a field is a hundred of them, and each
+/// is long beside a call.
+#ifdef __x86_64__
+template <std::size_t n>
+[[gnu::noinline, gnu::target("avx2,fma")]] Dual<Word<true>, n> operator+(
+    const Dual<Word<true>, n>& a, const Dual<Word<true>, n>& b) {
+  return oracle::operator+<Word<true>, n>(a, b);
+}
+template <std::size_t n>
+[[gnu::noinline, gnu::target("avx2,fma")]] Dual<Word<true>, n> operator-(
+    const Dual<Word<true>, n>& a, const Dual<Word<true>, n>& b) {
+  return oracle::operator-<Word<true>, n>(a, b);
+}
+template <std::size_t n>
+[[gnu::noinline, gnu::target("avx2,fma")]] Dual<Word<true>, n> operator*(
+    const Dual<Word<true>, n>& a, const Dual<Word<true>, n>& b) {
+  return oracle::operator*<Word<true>, n>(a, b);
+}
+#endif
+template <std::size_t n>
+[[gnu::noinline]] Dual<Word<false>, n> operator+(const Dual<Word<false>, n>& a,
+                                                 const Dual<Word<false>, n>& b) {
+  return oracle::operator+<Word<false>, n>(a, b);
+}
+template <std::size_t n>
+[[gnu::noinline]] Dual<Word<false>, n> operator-(const Dual<Word<false>, n>& a,
+                                                 const Dual<Word<false>, n>& b) {
+  return oracle::operator-<Word<false>, n>(a, b);
+}
+template <std::size_t n>
+[[gnu::noinline]] Dual<Word<false>, n> operator*(const Dual<Word<false>, n>& a,
+                                                 const Dual<Word<false>, n>& b) {
+  return oracle::operator*<Word<false>, n>(a, b);
+}
+
+template <class L, std::size_t n>
+[[gnu::noinline]] Dual<Surd<L>, n> operator+(const Dual<Surd<L>, n>& a, const Dual<Surd<L>, n>& b) {
+  return oracle::operator+<Surd<L>, n>(a, b);
+}
+template <class L, std::size_t n>
+[[gnu::noinline]] Dual<Surd<L>, n> operator-(const Dual<Surd<L>, n>& a, const Dual<Surd<L>, n>& b) {
+  return oracle::operator-<Surd<L>, n>(a, b);
+}
+template <class L, std::size_t n>
+[[gnu::noinline]] Dual<Surd<L>, n> operator*(const Dual<Surd<L>, n>& a, const Dual<Surd<L>, n>& b) {
+  return oracle::operator*<Surd<L>, n>(a, b);
+}
+
+/// How many numbers a case has, and as many more as make loops over them even.
+template <class S>
+constexpr std::size_t variable_count() {
+  std::size_t count = 3 + 3 + 2;
+  for (const Part kind : S::kinds) count += kind == Part::length ? 1 : 3;
+  return (count + 3) / 4 * 4;
+}
+
+/// The numbers of a case as variables, in the order in which they are asked for, and how far each
+/// may move.
+template <class V, std::size_t n>
+struct Variables {
+  using Number = Dual<V, n>;
+
+  std::array<double, n> weight = {};
+  std::size_t next = 0;
+
+  Number operator()(double x) { return variable(x, std::fabs(x)); }
+  Vec3<Number> operator()(const Vec3<double>& v) {
+    const double most = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    return {variable(v.x, most), variable(v.y, most), variable(v.z, most)};
+  }
+
+ private:
+  Number variable(double x, double most) {
+    weight[next] = most;
+    Number number(V(x), next++);
+    set_weight(number.value, most);
+    return number;
+  }
+};
+
+template <class N>
+Polynomial<N, 0> constant(const N& x) {
+  return {{x}};
+}
+template <class N>
+Vec3<Polynomial<N, 0>> constant(const Vec3<N>& v) {
+  return {{{v.x}}, {{v.y}}, {{v.z}}};
+}
+
+/// The t at which the ray is nearest to the shape's first point, about; from there on little
+/// cancels.
+template <class S>
+double middle(const Ray<double>& ray, const S& shape) {
+  static_assert(S::kinds[0] == Part::point);
+  const Vec3<double>& d = ray.direction;
+  const double t = dot(std::get<0>(shape.parts()) - ray.origin, d) / dot(d, d);
+  return std::isfinite(t) ? t : 0;
+}
+
+double largest(const Vec3<double>& v) {
+  return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+}
+double largest(double x) { return std::fabs(x); }
+
+/// About how long t takes through the shape.
+template <class S>
+double extent(const Ray<double>& ray, const S& shape) {
+  double most = 0;
+  std::size_t i = 0;
+  const auto see = [&](const auto& part) {
+    const Part kind = S::kinds[i++];
+    if constexpr (requires { part.x; }) {
+      if (kind == Part::point) most = std::max(most, largest(part - std::get<0>(shape.parts())));
+    } else {
+      most = std::max(most, largest(part));
+    }
+  };
+  std::apply([&](const auto&... part) { (see(part), ...); }, shape.parts());
+  return most / largest(ray.direction);
+}
+
+/// A t as num / den, either of which may be 0.
+template <class N>
+struct Ratio {
+  N num, den;
+};
+
+/// What it takes for a root to be no crossing any more, or to become one.
+struct Change {
+  bool is_crossing = true;
+  Margin lose = {.reach = infinity};          ///< the cheapest of its signs flips
+  Margin gain = {.reach = 0, .together = 0};  ///< all of its rejections flip
+
+  void see(const Margin& flip, bool negative) {
+    if (negative) {
+      is_crossing = false;
+      const auto together = static_cast<std::int8_t>(gain.together + 1);
+      if (flip.reach >= gain.reach) gain = flip;
+      gain.together = together;
+    } else if (flip.reach < lose.reach) {
+      lose = flip;
+    }
+  }
+};
+
+/// The ways to change the truth of a case along its ray, t counted from its middle; P is the patch
+/// restricted to the ray.
+template <class V, std::size_t n, int apex, class P>
+struct Ways {
+  using Number = Dual<V, n>;
+  using Slope = typename Number::Slope;
+  using Linear = Polynomial<Number, 1>;
+  using Quadratic = Polynomial<Number, 2>;
+  using Place = Ratio<Number>;
+
+  struct Scale {
+    std::array<Slope, n> by = {};
+  };
+
+  const std::array<double, n>& weight;
+  const P& patch;
+  bool has_start, has_end;
+  Number start, end;
+  double extent;
+  bool sure = true;  ///< false where V did not tell; nothing else counts then
+  Margin least = {.reach = infinity};
+
+  /// What it costs to flip the sign of s / |scale|^degree: at most 1, for a vector or a length that
+  /// moves by all of itself may vanish.
+  Margin flip(const Number& s, const Scale& scale, int degree, Sign sign, int side) {
+    using std::fabs;
+    const Slope size = fabs(leading(s.value));
+    const Slope factor = static_cast<Slope>(degree) * leading(s.value);
+    Slope move = 0;
+    for (std::size_t i = 0; i < n; ++i) move += fabs(s.by[i] - factor * scale.by[i]) * weight[i];
+    move = std::max(size, move);
+    sure = sure && is_known(s.value) && is_known_sum(move, s.value);
+    return {.reach = size == 0 ? 0 : static_cast<double>(size / move),
+            .sign = sign,
+            .side = static_cast<std::int8_t>(side)};
+  }
+
+  /// D and D / A are alike near 0. Where A is 0 the one says more, where A vanishes together with
+  /// B, so that D comes to 0 with no change in the truth, the other.
+  Margin flip_discriminant(const Number& d, const Number& a) {
+    const Margin plain = flip(d, {}, 1, Sign::discriminant, 0);
+    const Margin by_a = flip(d, scale_of(Number(), a, 1), 1, Sign::discriminant, 0);
+    return plain.reach < by_a.reach ? by_a : plain;
+  }
+
+  /// The slopes of log |(num, den length)|: of the size of a root's two numbers, in the measure of
+  /// the shape. A sign divided by it is that of an angle, which has no poles and is the same
+  /// however the root is written.
+  static Scale scale_of(const Number& num, const Number& den, double length) {
+    const Slope a = leading(num.value), b = leading(den.value) * length;
+    const Slope all = a * a + b * b, by_num = all > 0 ? a / all : 0,
+                by_den = all > 0 ? b / all * length : 0;
+    Scale scale;
+    for (std::size_t i = 0; i < n; ++i) scale.by[i] = by_num * num.by[i] + by_den * den.by[i];
+    return scale;
+  }
+
+  int sign_of(const Number& x) {
+    sure = sure && is_known(x.value);
+    return (leading(x.value) > 0) - (leading(x.value) < 0);
+  }
+
+  static Number at(const Place& t, const Linear& g) { return t.den * g.c[0] + t.num * g.c[1]; }
+  static Number at(const Place& t, const Quadratic& g) {
+    return g.c[0] * squared(t.den) + g.c[1] * (t.num * t.den) + g.c[2] * squared(t.num);
+  }
+
+  /// What a root asks for; of one at infinity, the less of what it asks for at either end.
+  template <class G>
+  Change change(const Place& t, const G& side, bool opens_outward) {
+    const bool at_infinity = leading(t.den.value) == 0 || !is_known(t.den.value);
+    const Change found = change(t, side, opens_outward, leading(t.den.value) < 0);
+    if (!at_infinity) return found;
+    const Change before = change(t, side, opens_outward, leading(t.den.value) >= 0);
+    return before.gain.reach < found.gain.reach ? before : found;
+  }
+
+  /// Its signs are taken without a division, so that none flips while the root goes through
+  /// infinity: that alone changes no truth, for our shapes are bounded.
+  template <class G, std::size_t sides>
+  Change change(const Place& t, const std::array<G, sides>& side, bool opens_outward, bool turned) {
+    Change found;
+    const Scale scale = scale_of(t.num, t.den, extent);
+    const auto see = [&](const Number& s, int degree, Sign sign, int i) {
+      const bool odd = degree == 1;
+      found.see(flip(s, scale, degree, sign, i),
+                (odd && turned ? -leading(s.value) : leading(s.value)) < 0);
+    };
+    if (has_start) see(t.num - t.den * start, 1, Sign::start, 0);
+    if (has_end) see(t.den * end - t.num, 1, Sign::end, 0);
+    for (int i = 0; i < static_cast<int>(sides); ++i) {
+      const Number s = at(t, side[i]);
+      if (i != apex || opens_outward)
+        see(s, std::is_same_v<G, Linear> ? 1 : 2, Sign::side, i);
+      else if (turned ? leading(s.value) > 0 : leading(s.value) < 0)
+        // On the other nappe, where it stays.
+        found.see({.reach = infinity, .sign = Sign::side, .side = apex}, true);
+    }
+    return found;
+  }
+
+  void take(Margin way, int root) {
+    way.root = static_cast<std::int8_t>(root);
+    if (way.reach < least.reach) least = way;
+  }
+
+  /// Counts a root in; true where it is the hit.
+  template <class G>
+  bool ends_with(const Place& t, int root, const G& side, bool opens_outward) {
+    const Change found = change(t, side, opens_outward);
+    take(found.is_crossing ? found.lose : found.gain, root);
+    return found.is_crossing;
+  }
+
+  template <class G>
+  void settle(const Linear& f, const G& side) {
+    if (vanishes(f)) return settle_within(side);
+    ends_with(Place{-f.c[0], f.c[1]}, 0, side, true);
+  }
+
+  template <class G>
+  void settle(const Quadratic& f, const G& side) {
+    const auto& [c, b, a] = f.c;
+    const Number d = squared(b) - twice(twice(a * c));
+    const int sign_d = sign_of(d);
+    if (!sure) return;
+    if (sign_d > 0)
+      settle_two(f, d, side);
+    else if (vanishes(f))
+      settle_within(side);
+    else
+      settle_none(f, d, side);
+  }
+
+  /// D <= 0: a crossing may appear where a double root would. Of a line that is steeper than the
+  /// cone D = 0 is the least: it is a hit at the apex, or rejected.
+  template <class G>
+  void settle_none(const Quadratic& f, const Number& d, const G& side) {
+    const auto& [c, b, a] = f.c;
+    const bool opens_outward = apex < 0 || leading(a.value) >= 0;
+    Change found = change(leading(a.value) == 0 ? Place{twice(c), -b} : Place{-b, twice(a)}, side,
+                          opens_outward);
+    if (opens_outward) found.see(flip_discriminant(d, a), true);
+    take(found.is_crossing ? found.lose : found.gain, 0);
+  }
+
+  /// The roots are m / 2A and 2C / m with m = -(B + sign(B) sqrt(D)), which does not cancel.
+  template <class G>
+  void settle_two(const Quadratic& f, const Number& d, const G& side) {
+    const auto& [c, b, a] = f.c;
+    const int sign_a = sign_of(a);
+    const bool opens_outward = apex < 0 || sign_a > 0, positive = leading(b.value) >= 0;
+    const Number root = root_of(d), m = positive ? -(b + root) : root - b;
+    const Place by_a = {m, twice(a)}, by_c = {twice(c), m};
+    const bool smaller_by_a = positive == (sign_a > 0);
+    const bool hit = ends_with(smaller_by_a ? by_a : by_c, 0, side, opens_outward) ||
+                     ends_with(smaller_by_a ? by_c : by_a, 1, side, opens_outward);
+    if (hit && opens_outward) take(flip_discriminant(d, a), 0);
+  }
+
+  static Number root_of(const Number& d) {
+    Number root(sqrt(d.value));
+    const Slope by_d = 1 / (2 * leading(root.value));
+    for (std::size_t i = 0; i < n; ++i) root.by[i] = by_d * d.by[i];
+    return root;
+  }
+
+  template <int degree>
+  bool vanishes(const Polynomial<Number, degree>& f) {
+    bool all = true;
+    for (const Number& c : f.c) all = all && leading(c.value) == 0;
+    sure = sure && !(all && !is_known(f.c[0].value));
+    return all;
+  }
+
+  /// The line lies in the surface, and no part of it within the range and the side conditions: the
+  /// ends of the stretch are then the crossings.
+  void settle_within(const std::array<Quadratic, 1>& side) {
+    settle(side[0], std::array<Linear, 0>{});
+  }
+  template <std::size_t sides>
+  void settle_within(const std::array<Linear, sides>& side) {
+    std::array<Linear, sides + 2> g;
+    std::array<Margin, sides + 2> named;
+    std::size_t count = 0;
+    const auto add = [&](const Linear& condition, Sign sign, std::size_t i) {
+      g[count] = condition;
+      named[count++] = {.sign = sign, .side = static_cast<std::int8_t>(i)};
+    };
+    for (std::size_t i = 0; i < sides; ++i) add(side[i], Sign::side, i);
+    if (has_start) add({{-start, Number(V(1))}}, Sign::start, 0);
+    if (has_end) add({{end, Number(V(-1))}}, Sign::end, 0);
+    Change found;
+    const auto see = [&](const Number& s, const Margin& name) {
+      if (sign_of(s) < 0) found.see(flip(s, Scale(), 1, name.sign, name.side), true);
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      if (sign_of(g[i].c[1]) == 0) see(g[i].c[0], named[i]);
+      for (std::size_t j = 0; j < count; ++j)
+        if (sign_of(g[i].c[1]) < 0 && sign_of(g[j].c[1]) > 0)
+          see(g[i].c[0] * g[j].c[1] - g[i].c[1] * g[j].c[0], named[std::max(i, j)]);
+    }
+    take(found.gain, 0);
+  }
+};
+
+/// The margin of a case; nothing where V does not tell.
+template <class V, template <class> class S>
+std::optional<Margin> margin_in(const Ray<double>& ray, const S<double>& shape) {
+  constexpr std::size_t n = variable_count<S<double>>();
+  using Number = Dual<V, n>;
+  using Linear = Polynomial<Number, 1>;
+  Variables<V, n> variable;
+  const Number centre(V(middle(ray, shape)));
+  const Vec3<Number> o = variable(ray.origin), d = variable(ray.direction);
+  const Vec3<Linear> p = {
+      {{o.x + centre * d.x, d.x}}, {{o.y + centre * d.y, d.y}}, {{o.z + centre * d.z, d.z}}};
+  const auto constants = std::apply(
+      [&](const auto&... part) { return S<Polynomial<Number, 0>>{constant(variable(part))...}; },
+      shape.parts());
+  const auto restricted = patch(constants, p);
+  const bool has_start = std::isfinite(ray.t_min), has_end = std::isfinite(ray.t_max);
+  const Number start = has_start ? variable(ray.t_min) - centre : Number();
+  const Number end = has_end ? variable(ray.t_max) - centre : Number();
+  Ways<V, n, apex_side<S<double>>, std::remove_const_t<decltype(restricted)>> ways{
+      variable.weight, restricted, has_start, has_end, start, end, extent(ray, shape)};
+  ways.settle(restricted.field, restricted.side);
+  if (!ways.sure) return {};
+  return ways.least;
+}
+
+template <class V>
+std::optional<Margin> margin_in(const Case& question) {
+  return std::visit([&](const auto& shape) { return margin_in<V>(question.ray, shape); },
+                    question.shape);
+}
+
+/// A reach is above 0, for there is no touch; and a number that moves by all of itself may vanish.
+std::optional<Margin> within_reach(std::optional<Margin> margin) {
+  if (margin) margin->reach = std::clamp(margin->reach, std::numeric_limits<double>::min(), 1.0);
+  return margin;
+}
+
+}  // namespace
+
+std::string_view name(Sign sign) {
+  constexpr std::array<std::string_view, 5> names = {"touch", "discriminant", "start", "end",
+                                                     "side"};
+  return names[static_cast<std::size_t>(sign)];
+}
+
+std::optional<Margin> margin_by_bounds(const Case& question) {
+  const Scaled scale = is_moderate(question) ? Scaled{question} : scaled(question);
+  if (!scale.exact) return {};
+#ifdef __x86_64__
+  if (has_fused()) return within_reach(margin_in<Word<true>>(scale.question));
+#endif
+  return within_reach(margin_in<Word<false>>(scale.question));
+}
+
+Margin margin_exactly(const Case& question) {
+  const Case near = is_moderate(question) ? question : scaled(question).question;
+  const std::optional<Margin> told = within_reach(margin_in<Surd<long double>>(near));
+  return told ? *told : *within_reach(margin_in<Surd<Fine>>(near));
+}
+
+Margin margin(const Case& question, const Truth& truth) {
+  if (truth.has_touch()) return {.reach = 0, .sign = Sign::touch};
+  const std::optional<Margin> told = margin_by_bounds(question);
+  return told ? *told : margin_exactly(question);
+}
+
+}  // namespace rayaudit::oracle

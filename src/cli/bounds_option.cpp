@@ -1,0 +1,122 @@
+#include "cli/bounds_option.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+
+#include "cli/exit_code.hpp"
+#include "cli/lines.hpp"
+#include "reports/explain_line.hpp"
+#include "reports/figures.hpp"
+
+namespace rayaudit {
+namespace {
+
+std::string text_of(LineFile& file) {
+  std::string text;
+  for (auto pieces = file.next(); !pieces.empty(); pieces = file.next())
+    for (const Piece& piece : pieces) text += piece.text;
+  return text;
+}
+
+/// Every audit there is.
+std::vector<Audit> every_audit() {
+  Plan plan;
+  for (const Subject& subject : built_in_subjects()) plan.subjects.push_back(&subject);
+  for (const Family& family : families()) plan.families.push_back(&family);
+  for (std::size_t shape = 0; shape < shape_count; ++shape) plan.shapes.push_back(shape);
+  return planned(plan);
+}
+
+/// In six digits where these are the number, as 1.2e+07, else in as many as it takes.
+std::string told(double most) {
+  const std::string text = fmt::format("{:g}", most);
+  return std::strtod(text.c_str(), nullptr) == most ? text : fmt::format("{}", most);
+}
+
+/// The limits of a bound, and whether it is proved.
+std::string promise(const Bound& bound) {
+  std::string text;
+  for (const Limit& limit : bound.limits)
+    (text += ' ').append(limit.quantity->name) += ' ' + told(limit.most);
+  return text + (bound.proved ? " proved" : " observed");
+}
+
+/// What was seen of a quantity: never so rounded that it would seem to be within the limit.
+std::string seen(const Broken& broken) {
+  if (!broken.limit.quantity->is_count) return told(rounded_up(broken.seen));
+  return fmt::format("{} of {} cases", figures::grouped(static_cast<std::uint64_t>(broken.seen)),
+                     figures::grouped(broken.audit->tally.cases));
+}
+
+/// A word as a shell takes it for itself.
+std::string quoted(const std::string& word) {
+  const auto is_plain = [](char letter) {
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
+           std::string_view("_-./,=+").find(letter) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
+  std::string text = "'";
+  for (const char letter : word) text += letter == '\'' ? "'\\''" : std::string(1, letter);
+  return text + '\'';
+}
+
+}  // namespace
+
+std::vector<Bound> read_bounds_file(const std::string& path) {
+  LineFile file(path);
+  std::vector<Bound> bounds = read_bounds(text_of(file), file.name());
+  if (bounds.empty()) throw NothingAudited(file.name() + " has no row: nobody is held to anything");
+  const std::vector<Audit> audits = every_audit();
+  for (const Bound& bound : bounds)
+    if (std::none_of(audits.begin(), audits.end(),
+                     [&](const Audit& audit) { return bound.is_about(audit); }))
+      throw NothingAudited(fmt::format(
+          "{}: `{} {} {}` names no audit there is: no such subject answers such a shape that such "
+          "a family draws",
+          bound.place, bound.subject, bound.shape, bound.family));
+  return bounds;
+}
+
+std::string row(const Bound& bound) {
+  return bound.subject + ' ' + bound.shape + ' ' + bound.family + promise(bound);
+}
+
+std::string write_bounds(const std::vector<Bound>& bounds, const std::vector<std::string>& head) {
+  std::string text;
+  for (const std::string& line : head) text += "# " + line + '\n';
+  text += "# SUBJECT SHAPE FAMILY, limits with their values, proved or observed\n";
+  std::size_t subject = 0, shape = 0, family = 0;
+  for (const Bound& bound : bounds) {
+    subject = std::max(subject, bound.subject.size());
+    shape = std::max(shape, bound.shape.size());
+    family = std::max(family, bound.family.size());
+  }
+  for (const Bound& bound : bounds)
+    text += fmt::format("{:<{}} {:<{}} {:<{}}{}\n", bound.subject, subject, bound.shape, shape,
+                        bound.family, family, promise(bound));
+  return text;
+}
+
+std::string command_text(const CLI::App& command) {
+  std::string text = "rayaudit " + command.get_name();
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& value : option->results()) {
+      if (!option->get_positional()) text += ' ' + option->get_name();
+      if (option->get_expected_max() > 0) text += ' ' + quoted(value);
+    }
+  return text;
+}
+
+std::string told(const Broken& broken) {
+  const auto& [bound, audit, limit, _, worst] = broken;
+  return fmt::format("{}: `{}` is broken by {} on {}, family {}: {} is {}, more than {}: {}",
+                     bound->place, row(*bound), audit->subject->name, shape_names[audit->shape],
+                     audit->family->id, limit.quantity->name, seen(broken), told(limit.most),
+                     explain_line(*worst, *audit->subject));
+}
+
+}  // namespace rayaudit

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "audit/audit.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace rayaudit {
+
+/// Reads the bounds of a file, or of standard input for `-`. Throws Error where it cannot be read,
+/// NothingAudited where it holds nobody to anything, or a row of it names no audit there is.
+std::vector<Bound> read_bounds_file(const std::string& path);
+
+/// The bound as it stands in a file.
+std::string row(const Bound& bound);
+
+/// The bounds in a file's columns, below comment lines: those of the head, and what a row is.
+std::string write_bounds(const std::vector<Bound>& bounds, const std::vector<std::string>& head);
+
+/// The command line that a command was read from, as a shell takes it.
+std::string command_text(const CLI::App& command);
+
+/// What is broken by whom, what was seen, and the command that shows it, in one sentence.
+std::string told(const Broken& broken);
+
+}  // namespace rayaudit

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <optional>
+
+#include "numbers/running_bound.hpp"
+#include "subjects/subject.hpp"
+
+/// A subject from any routine: for the source that lists the built-in ones, and for tests.
+namespace rayaudit {
+
+/// What a routine returns says what it answers: only yes, a t, or a point.
+inline Answer answer_of(bool met) { return met ? Answer::yes() : Answer::miss(); }
+
+template <class N>
+Answer answer_of(const std::optional<N>& t) {
+  return t ? Answer::hit(real(*t)) : Answer::miss();
+}
+
+template <class N>
+Answer answer_of(const std::optional<Vec3<N>>& point) {
+  return point ? Answer::at({real(point->x), real(point->y), real(point->z)}) : Answer::miss();
+}
+
+template <class Routine, class N, class S>
+void answer_batch(std::span<const Case> cases, std::span<Answer> answers) {
+  const Routine routine;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    answers[i] = answer_of(routine(in<N>(cases[i].ray), in<N>(std::get<S>(cases[i].shape))));
+}
+
+/// With every comparison proved, what is left to prove is t.
+template <class N>
+Proved proved(bool met, const Ray<double>&, bool certified) {
+  return {answer_of(met), certified};
+}
+template <class N>
+Proved proved(const std::optional<RunningBound<N>>& t, const Ray<double>&, bool certified) {
+  if (!t) return {Answer::miss(), certified};
+  return {Answer::hit(real(t->value)), certified && t->is_bounded(), t->error()};
+}
+/// The t of a point is off by no more than the point, in units of the direction.
+template <class N>
+Proved proved(const std::optional<Vec3<RunningBound<N>>>& point, const Ray<double>& ray,
+              bool certified) {
+  if (!point) return {Answer::miss(), certified};
+  const auto& [x, y, z] = *point;
+  const Vec3<double>& d = ray.direction;
+  const double bound = std::hypot(x.error(), y.error(), z.error()) / std::hypot(d.x, d.y, d.z);
+  return {Answer::at({real(x.value), real(y.value), real(z.value)}),
+          certified && std::isfinite(bound), bound * (1 + 0x1p-40)};
+}
+
+template <class Routine, class N, class S>
+void prove_batch(std::span<const Case> cases, std::span<Proved> answers) {
+  using Number = RunningBound<N>;
+  const Routine routine;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const auto& [ray, shape] = cases[i];
+    Number::all_proved = true;
+    const auto answer = routine(in<Number>(in<N>(ray)), in<Number>(in<N>(std::get<S>(shape))));
+    answers[i] = proved<N>(answer, ray, Number::all_proved);
+  }
+}
+
+template <class Routine, class N, template <class> class S>
+void add_batch(Subject& subject, std::size_t shape, const S<double>*) {
+  if constexpr (std::invocable<const Routine&, const Ray<N>&, const S<N>&>) {
+    subject.answer[shape] = answer_batch<Routine, N, S<double>>;
+    subject.prove[shape] = prove_batch<Routine, N, S<double>>;
+  }
+}
+
+template <class Routine, class N>
+Subject subject_of() {
+  Subject made = {
+      std::string(Routine::name) + '/' + std::string(format_of<N>.name), format_of<N>, {}};
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (add_batch<Routine, N>(made, I, static_cast<std::variant_alternative_t<I, Shape>*>(nullptr)),
+     ...);
+  }
+  (std::make_index_sequence<shape_count>{});
+  return made;
+}
+
+}  // namespace rayaudit
