@@ -1,10 +1,8 @@
 #pragma once
 
-#include <CGAL/Mpzf.h>
 #include <gmpxx.h>
 
 #include <memory>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -33,7 +31,7 @@ class Surd {
   static void begin();
 
   Surd() = default;
-  explicit Surd(int x) : Surd(static_cast<double>(x)) {}
+  explicit Surd(int x) : rational_(x) {}
   /// x must not be NaN: throws Undefined.
   explicit Surd(double x);
 
@@ -57,24 +55,13 @@ class Surd {
  private:
   struct Sum;  ///< a + b sqrt(r)
 
-  /// A rational that is not brought to lowest terms: that would take the most of the time.
-  struct Fraction {
-    CGAL::Mpzf over = 0, under = 1;  ///< under > 0
-    bool divided = false;            ///< else under is 1
-    int bits = 0;                    ///< of both, estimated
-  };
-
-  explicit Surd(Fraction x);
-  static Fraction sum(const Fraction& a, const Fraction& b);
-  static Fraction product(const Fraction& a, const Fraction& b);
-  static Fraction quotient(const Fraction& a, const Fraction& b);
-  static std::optional<Fraction> root(const Fraction& x);
+  explicit Surd(mpq_class x);
   /// a + b times the root of that level, b dropped where it is 0.
   static Surd with_root(const Surd& a, const Surd& b, int level);
   static int compare(const Surd& a, const Surd& b);
   static Surd infinity(int sign);
 
-  bool is_plain_zero() const { return level_ == 0 && infinite_ == 0 && rational_.over.sign() == 0; }
+  bool is_plain_zero() const { return level_ == 0 && infinite_ == 0 && rational_ == 0; }
   Surd whole() const;     ///< the a of a + b sqrt(r)
   Surd factor() const;    ///< the b
   Surd radicand() const;  ///< the r
@@ -84,7 +71,7 @@ class Surd {
 
   int level_ = 0;     ///< which root of the run it contains last, from 1; 0 for a rational
   int infinite_ = 0;  ///< the sign of an infinity, 0 for a number
-  Fraction rational_;
+  mpq_class rational_ = 0;
   std::shared_ptr<const Sum> sum_;
 };
 

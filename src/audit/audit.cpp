@@ -180,12 +180,16 @@ void run_chunk(const Plan& plan, const Group& group, const std::vector<Audit>& a
   }
 }
 
-/// Finds the cause of every worst case that reports tell of.
+/// Finds the cause of every worst case that reports tell of: of wrong answers, and where a subject
+/// is held to bounds also of its largest errors.
 void look_into_worst(const Plan& plan, Audit& audit) {
+  const auto look_into = [&](Worst& worst) {
+    worst.diagnosis = diagnosis_of(plan, audit, worst.question, worst.answer, worst.judgement);
+  };
   for (Outcome& outcome : audit.tally.outcomes)
-    if (is_wrong(outcome.verdict))
-      outcome.worst->diagnosis = diagnosis_of(plan, audit, outcome.worst->question,
-                                              outcome.worst->answer, outcome.worst->judgement);
+    if (is_wrong(outcome.verdict)) look_into(*outcome.worst);
+  for (auto* worst : {&audit.tally.worst_ulps, &audit.tally.worst_forced})
+    if (!plan.bounds.empty() && *worst) look_into(**worst);
 }
 
 /// Counts judged cases and passes the count on, from one thread at a time.

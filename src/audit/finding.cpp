@@ -44,6 +44,11 @@ void tell(std::vector<Afflicted>& families, const Afflicted& family) {
   if (std::none_of(families.begin(), families.end(), is_told)) families.push_back(family);
 }
 
+/// The power of two of a margin, no more than that of a defect.
+int rank(double margin) {
+  return margin > 0 ? std::ilogb(std::min(margin, defect_margin)) : INT_MIN;
+}
+
 /// The finding that a group of occurrences is, in the order of the audits.
 Finding finding(std::vector<Occurrence> group) {
   Finding made;
@@ -53,28 +58,27 @@ Finding finding(std::vector<Occurrence> group) {
     made.wrong += each.outcome->count;
     made.cases += each.audit->tally.cases;
     made.causes.merge(each.outcome->causes);
+    add(made.by_cause, by_cause(*each.outcome));
   }
   std::stable_sort(group.begin(), group.end(),
                    [](const Occurrence& a, const Occurrence& b) { return a.share() > b.share(); });
   for (const Occurrence& each : group) tell(made.families, each.afflicted());
   made.share = group.front().share();
-  const auto leading =
-      std::min_element(group.begin(), group.end(), [](const Occurrence& a, const Occurrence& b) {
-        return is_worse(*a.outcome->worst, *b.outcome->worst);
-      });
+  for (const Occurrence& each : group)
+    made.margin = std::max(made.margin, each.outcome->worst->severity);
+  const auto leading = std::find_if(group.begin(), group.end(), [&](const Occurrence& each) {
+    return rank(each.outcome->worst->severity) == rank(made.margin);
+  });
   made.audit = leading->audit;
   made.example = *leading->outcome->worst;
   return made;
 }
 
-/// The power of two of a margin; margins without end, and none, at either end of all.
-int binade(double margin) { return margin > 0 ? std::ilogb(margin) : INT_MIN; }
-
 /// Invalid cases are questions about conduct, not about truth: they come last.
 bool comes_first(const Finding& a, const Finding& b) {
   const bool a_invalid = a.verdict == Verdict::invalid_mishandled;
   if (a_invalid != (b.verdict == Verdict::invalid_mishandled)) return !a_invalid;
-  if (binade(a.margin()) != binade(b.margin())) return binade(a.margin()) > binade(b.margin());
+  if (rank(a.margin) != rank(b.margin)) return rank(a.margin) > rank(b.margin);
   if (a.share != b.share) return a.share > b.share;
   return std::tie(a.verdict, a.routine, a.shape, a.claim) <
          std::tie(b.verdict, b.routine, b.shape, b.claim);

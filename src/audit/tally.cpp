@@ -54,6 +54,21 @@ void CauseCount::merge(const CauseCount& other) {
   for (const About& each : other.about) count_in(about, each);
 }
 
+CauseShare by_cause(const Outcome& outcome) {
+  CauseShare share = {};
+  const auto count = static_cast<double>(outcome.count);
+  const auto replayed = static_cast<double>(outcome.causes.replayed());
+  if (replayed == 0 && outcome.worst)
+    share[static_cast<std::size_t>(outcome.worst->diagnosis.cause)] = count;
+  for (std::size_t i = 0; replayed > 0 && i < cause_count; ++i)
+    share[i] = count * static_cast<double>(outcome.causes.counts[i]) / replayed;
+  return share;
+}
+
+void add(CauseShare& sum, const CauseShare& other) {
+  for (std::size_t i = 0; i < cause_count; ++i) sum[i] += other[i];
+}
+
 std::uint64_t Tally::of(Claim claim) const {
   std::uint64_t sum = 0;
   for (const Outcome& each : outcomes)
@@ -82,6 +97,13 @@ const Worst* Tally::widest() const {
 CauseCount Tally::causes() const {
   CauseCount sum;
   for (const Outcome& each : outcomes) sum.merge(each.causes);
+  return sum;
+}
+
+CauseShare Tally::wrong_by_cause() const {
+  CauseShare sum = {};
+  for (const Outcome& each : outcomes)
+    if (is_wrong(each.verdict)) rayaudit::add(sum, by_cause(each));
   return sum;
 }
 

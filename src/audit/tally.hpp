@@ -56,6 +56,12 @@ struct Outcome {
   CauseCount causes = {};  ///< of the share that was replayed
 };
 
+/// How many of the cases each cause is likely to account for, by those that were replayed; by the
+/// worst alone where none was.
+using CauseShare = std::array<double, cause_count>;
+CauseShare by_cause(const Outcome& outcome);
+void add(CauseShare& sum, const CauseShare& other);
+
 /// What became of the touches of one kind on offer.
 struct TouchCount {
   std::uint64_t taken = 0, passed = 0;
@@ -84,6 +90,8 @@ struct Tally {
   std::uint64_t wrong() const;
   /// The causes of all wrong answers, and of right ones that were off by more than they may be.
   CauseCount causes() const;
+  /// The wrong answers by cause, of each outcome as those that were replayed.
+  CauseShare wrong_by_cause() const;
   /// The outcome of a verdict and claim, made where it has not occurred.
   Outcome& outcome(Verdict verdict, Claim claim);
   /// Adds a judged answer to a case of a margin in u, NaN where it is not known.

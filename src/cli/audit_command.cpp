@@ -81,7 +81,7 @@ std::vector<Audit> run_with_progress(const Plan& plan) {
   return run(plan, [&](const Progress& progress) { bar.tell(progress); });
 }
 
-int told_breach(const std::vector<Audit>& audits, const FailOn& fail_on) {
+int told_breach(const Plan& plan, const std::vector<Audit>& audits, const FailOn& fail_on) {
   const auto breaks = [&](const Audit& audit) { return breach(fail_on, audit.tally).has_value(); };
   const auto first = std::find_if(audits.begin(), audits.end(), breaks);
   if (first == audits.end()) return all_held;
@@ -92,7 +92,7 @@ int told_breach(const std::vector<Audit>& audits, const FailOn& fail_on) {
       first->family->id, broken.words,
       others > 0 ? fmt::format(" (and {} more audit{})", others, others == 1 ? " fails" : "s fail")
                  : "",
-      explain_line(broken.worst, *first->subject)));
+      explain_line(broken.worst, *first->subject, plan.convention)));
   return found;
 }
 
@@ -102,11 +102,25 @@ constexpr std::size_t broken_shown = 10;
 int told_broken(const Plan& plan, const std::vector<Audit>& audits, bool all) {
   const std::vector<Broken> found_broken = broken(plan.bounds, audits);
   const std::size_t shown = all ? found_broken.size() : std::min(found_broken.size(), broken_shown);
-  for (std::size_t i = 0; i < shown; ++i) complain(told(found_broken[i]));
+  for (std::size_t i = 0; i < shown; ++i) complain(told(found_broken[i], plan.convention));
   if (const std::size_t more = found_broken.size() - shown; more > 0)
     complain(fmt::format("{} more limit{} broken: --all-findings tells all", more,
                          more == 1 ? " is" : "s are"));
   return found_broken.empty() ? all_held : found;
+}
+
+/// A certified verdict that the exact replay does not share is a flaw of ours, not of the subject.
+int told_uncertain(const std::vector<Audit>& audits) {
+  for (const Audit& audit : audits)
+    if (const Certificate& certificate = audit.tally.certificate; certificate.wrong > 0) {
+      complain(fmt::format(
+          "self-check: {} of {} certified answers of {} on {}, family {}, differ from its exact "
+          "replay; rayaudit is at fault: {}",
+          certificate.wrong, certificate.compared, audit.subject->name, shape_names[audit.shape],
+          audit.family->id, explain_line(*certificate.first_wrong, *audit.subject)));
+      return unfit;
+    }
+  return all_held;
 }
 
 std::string write_observed(const AuditOptions& options, const std::vector<Audit>& audits) {
@@ -153,8 +167,9 @@ int audit(const AuditOptions& options) {
     if (observed_to && observed_to->empty() == to_stdout)
       deliver(*observed_to, write_observed(options, audits));
   }
-  const int breach = told_breach(audits, options.fail_on);
-  return std::max(breach, told_broken(plan, audits, options.all_findings));
+  const int breach = told_breach(plan, audits, options.fail_on);
+  const int broken = told_broken(plan, audits, options.all_findings);
+  return std::max({breach, broken, told_uncertain(audits)});
 }
 
 void add_names(CLI::App& command, const std::shared_ptr<AuditOptions>& options) {

@@ -47,7 +47,10 @@ std::string promise(const Bound& bound) {
 
 /// What was seen of a quantity: never so rounded that it would seem to be within the limit.
 std::string seen(const Broken& broken) {
-  if (!broken.limit.quantity->is_count) return told(rounded_up(broken.seen));
+  if (!broken.limit.quantity->is_count) {
+    const std::string text = fmt::format("{:.3g}", broken.seen);
+    return std::strtod(text.c_str(), nullptr) > broken.limit.most ? text : told(broken.seen);
+  }
   return fmt::format("{} of {} cases", figures::grouped(static_cast<std::uint64_t>(broken.seen)),
                      figures::grouped(broken.audit->tally.cases));
 }
@@ -111,12 +114,14 @@ std::string command_text(const CLI::App& command) {
   return text;
 }
 
-std::string told(const Broken& broken) {
+std::string told(const Broken& broken, const Convention& convention) {
   const auto& [bound, audit, limit, _, worst] = broken;
-  return fmt::format("{}: `{}` is broken by {} on {}, family {}: {} is {}, more than {}: {}",
-                     bound->place, row(*bound), audit->subject->name, shape_names[audit->shape],
-                     audit->family->id, limit.quantity->name, seen(broken), told(limit.most),
-                     explain_line(*worst, *audit->subject));
+  return fmt::format(
+      "{}: `{}` is broken by {} on {}, family {}: {} is {}, more than {}; cause: "
+      "{}: {}",
+      bound->place, row(*bound), audit->subject->name, shape_names[audit->shape], audit->family->id,
+      limit.quantity->name, seen(broken), told(limit.most), told(worst->diagnosis),
+      explain_line(*worst, *audit->subject, convention));
 }
 
 }  // namespace rayaudit

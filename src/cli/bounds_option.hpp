@@ -25,6 +25,6 @@ std::string write_bounds(const std::vector<Bound>& bounds, const std::vector<std
 std::string command_text(const CLI::App& command);
 
 /// What is broken by whom, what was seen, and the command that shows it, in one sentence.
-std::string told(const Broken& broken);
+std::string told(const Broken& broken, const Convention& convention);
 
 }  // namespace rayaudit

@@ -9,7 +9,7 @@ enum ExitCode : int {
   all_held = 0,         ///< every bound held
   found = 1,            ///< a finding
   mistaken = 2,         ///< the user's mistake
-  unfit = 3,            ///< the self-check at start failed
+  unfit = 3,            ///< a self-check failed: rayaudit itself is at fault
   nothing_audited = 4,  ///< known names that leave no audit
 };
 

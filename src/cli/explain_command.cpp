@@ -9,6 +9,7 @@
 
 #include "audit/cause.hpp"
 #include "cli/command.hpp"
+#include "cli/convention_option.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/explain_steps.hpp"
 #include "cli/formats.hpp"
@@ -35,6 +36,7 @@ struct ExplainOptions {
   std::vector<std::string> words;
   Format format = double_format;
   const Subject* subject = nullptr;  ///< the one to follow step by step
+  Convention convention = {};
 };
 
 struct Place {
@@ -230,10 +232,10 @@ std::string truth_text(const Case& question, const Truth& truth) {
 
 /// An answer with its verdict; and its cause, where it is the answer of a subject.
 std::string judged_row(const std::string& who, const Case& question, const Answer& answer,
-                       const Format& format, const Subject* subject) {
+                       const Format& format, const Convention& convention, const Subject* subject) {
   const Truth truth = oracle::truth(question, oracle::bits_for(format));
   Settled settled(question, truth);
-  const Judgement judgement = judge(settled, answer, format);
+  const Judgement judgement = judge(settled, answer, format, convention);
   std::string verdict(name(judgement.verdict));
   if (judgement.claim != Claim::none) (verdict += " ") += name(judgement.claim);
   const std::string side =
@@ -249,32 +251,32 @@ std::string judged_row(const std::string& who, const Case& question, const Answe
   return row.erase(row.find_last_not_of(' ') + 1) + '\n';
 }
 
-std::string subject_rows(const Case& question) {
+std::string subject_rows(const Case& question, const Convention& convention) {
   const std::size_t shape = question.shape.index();
   const bool floats = is_in(question, float_format);
   std::string text;
   for (const Subject& subject : built_in_subjects()) {
     if (!subject.answers(shape) || (subject.format == float_format && !floats)) continue;
-    text +=
-        judged_row(subject.name, question, answer_one(subject, question), subject.format, &subject);
+    text += judged_row(subject.name, question, answer_one(subject, question), subject.format,
+                       convention, &subject);
   }
   if (!floats) text += "subjects in float are not asked: the case has numbers that are no floats\n";
   return text;
 }
 
 /// One subject on a case: the cause of its answer in full, and its steps.
-std::string followed(const Case& question, const Subject& subject) {
+std::string followed(const Case& question, const Subject& subject, const Convention& convention) {
   if (!subject.answers(question.shape.index()))
     throw Error(
         fmt::format("--subject: {} does not answer a {}", subject.name, name(question.shape)));
   const Answer answer = answer_one(subject, question);
   const Truth truth = oracle::truth(question, oracle::bits_for(subject.format));
   Settled settled(question, truth);
-  const Judgement judgement = judge(settled, answer, subject.format);
+  const Judgement judgement = judge(settled, answer, subject.format, convention);
   std::string text;
   if (is_wrong(judgement.verdict) || judgement.verdict == Verdict::touch) {
-    const Diagnosis found =
-        diagnosis({settled, answer, judgement, {}}, subject, replay::replay_of(subject.name), {});
+    const Diagnosis found = diagnosis({settled, answer, judgement, {}}, subject,
+                                      replay::replay_of(subject.name), convention);
     text += row("cause", told(found));
     if (found.turned) text += row("", std::string(found.turned->text));
   }
@@ -304,10 +306,11 @@ int explain(const ExplainOptions& options) {
                       "verdict", "ulps", "forced", "side", "cause");
   const Format& format = options.subject != nullptr ? options.subject->format : options.format;
   if (answer)
-    text +=
-        judged_row(fmt::format("the line, in {}", format.name), question, *answer, format, nullptr);
-  text += subject_rows(question);
-  if (options.subject != nullptr) text += '\n' + followed(question, *options.subject);
+    text += judged_row(fmt::format("the line, in {}", format.name), question, *answer, format,
+                       options.convention, nullptr);
+  text += subject_rows(question, options.convention);
+  if (options.subject != nullptr)
+    text += '\n' + followed(question, *options.subject, options.convention);
   print(text);
   return all_held;
 }
@@ -332,6 +335,9 @@ void add_explain_command(CLI::App& program, Command& asked) {
   command->allow_extras();
   add_option(*command, "--subject", "ROUTINE/NUMBER", "follow this one step by step",
              [=](const std::string& text) { options->subject = &known_subject(text); });
+  add_option(*command, "--convention", "KIND=STANCE,...",
+             "what is declared of touches, as tangent=hit,rim=miss",
+             [=](const std::string& text) { options->convention = read_convention(text); });
   add_option(*command, "--format", "FORMAT",
              "of the answer on the line: float, double or long_double",
              [=](const std::string& text) { options->format = known_format(text); })

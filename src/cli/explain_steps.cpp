@@ -61,12 +61,13 @@ std::string exactly(const Real& x) { return fmt::format("{:.20g}", nearest<long 
 std::string operation_text(const Step& step, const Format& format) {
   const std::string value = in_format(step.value, format);
   if (!step.defined)
-    return fmt::format("    {:<24} exactly: no value, after a root or a division without one\n",
-                       value);
+    return fmt::format(
+        "    {:<4} {:<24} exactly: no value, after a root or a division without one\n",
+        step.operation, value);
   const double off = ulps(step.value, step.exact, format);
   const double bound = scaled({step.bound, 0, 0, 0}, spacing_exponent(step.exact, format));
-  return fmt::format("    {:<24} exactly {:<28} {:>9} ulps off, {:>8} at most\n", value,
-                     exactly(step.exact), magnitude(off), magnitude(bound));
+  return fmt::format("    {:<4} {:<24} exactly {:<26} {:>9} ulps off, {:>8} at most\n",
+                     step.operation, value, exactly(step.exact), magnitude(off), magnitude(bound));
 }
 
 std::string comparison_text(const Step& step, const Format& format) {
@@ -88,7 +89,7 @@ std::string text_of(const Visit& visit, const Format& format) {
   for (const Step& step : visit) {
     if (step.compares)
       text += comparison_text(step, format);
-    else if (!step.used)
+    else if (!step.used || step.file.starts_with("routines/"))
       text += operation_text(step, format);
   }
   return text;

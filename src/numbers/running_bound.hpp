@@ -89,13 +89,20 @@ template <class N>
   return __builtin_constant_p(a.most) && a.most == 0;
 }
 
+/// A long double that is no double is not infinite.
+template <class N>
+bool is_infinite(const N& x) {
+  return std::isinf(x);
+}
+inline bool is_infinite(const DoubleDouble& x) { return std::isinf(x.high); }
+
 template <class N>
 bool is_exact_zero(const RunningBound<N>& a) {
   return a.most == 0 && a.value == N(0);
 }
 template <class N>
 bool is_exact_infinity(const RunningBound<N>& a) {
-  return a.most == 0 && size(a.value) == infinity;
+  return a.most == 0 && is_infinite(a.value);
 }
 template <class N>
 bool is_finite(const RunningBound<N>& a) {
@@ -181,12 +188,21 @@ template <class N>
   return {z, exact_root - root, a.most / std::sqrt(least) + root + exact_root};
 }
 
+/// a - b to within 2^-52 of itself; infinite where that is no double.
+template <class N>
+[[gnu::always_inline]] inline double difference_of(const N& a, const N& b) {
+  return rounded(a - b);
+}
+[[gnu::always_inline]] inline double difference_of(float a, float b) {
+  return static_cast<double>(a) - static_cast<double>(b);
+}
+
 /// The sign of a - b where it is proved, else 0.
 template <class N>
 [[gnu::cold, gnu::noinline]] int proved_order(RunningBound<N> a, RunningBound<N> b) {
-  const double gap = rounded(a.value - b.value) + (a.off - b.off);
-  const double least = std::fabs(gap) * (1 - 0x1p-48);
-  return least > 2 * (a.slack() + b.slack()) ? (gap > 0 ? 1 : -1) : 0;
+  const double values = difference_of(a.value, b.value), gap = values + (a.off - b.off);
+  const double least = std::fabs(gap) * (1 - 0x1p-48) - std::fabs(values) * 0x1p-48;
+  return least > 2 * (a.slack() + b.slack()) && std::fabs(gap) <= largest ? (gap > 0 ? 1 : -1) : 0;
 }
 
 /// Compares the values, and takes note where that is not proved to be the exact answer.
@@ -196,8 +212,10 @@ template <class N, class Order>
   const bool said = order(a.value, b.value);
   if (is_known_exact(a) && is_known_exact(b)) return said;
   const double most = a.most + b.most;
-  if (size(a.value - b.value) * (1 - 0x1p-20) > most || most == 0) [[likely]]
-    return said;
+  const double gap = std::fabs(difference_of(a.value, b.value));
+  if (gap * (1 - 0x1p-20) > most || most == 0) [[likely]]
+    if (gap <= largest || most == 0 || is_exact_infinity(a) || is_exact_infinity(b)) [[likely]]
+      return said;
   const int sign = proved_order(a, b);
   if (sign == 0 || order(sign, 0) != said) RunningBound<N>::all_proved = false;
   return said;
@@ -346,8 +364,9 @@ template <class N>
   const N power = power_below(size.value);
   if (!is_known_exact(size) && size.most > 0 &&
       !(running_bound::size(size.value - power) > 2 * size.most &&
-        running_bound::size(N(2) * power - size.value) > 2 * size.most)) [[unlikely]]
-    if (!is_proved_from_to(size, power, N(2) * power)) RunningBound<N>::all_proved = false;
+        running_bound::size(power - (size.value - power)) > 2 * size.most)) [[unlikely]]
+    if (is_infinite(N(2) * power) || !is_proved_from_to(size, power, N(2) * power))
+      RunningBound<N>::all_proved = false;
   return RunningBound<N>(power);
 }
 

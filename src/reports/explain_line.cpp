@@ -18,8 +18,17 @@ std::string explain_line(const Worst& worst, const Format& format) {
   return line + '\'' + answered_line(worst) + '\'';
 }
 
-std::string explain_line(const Worst& worst, const Subject& subject) {
-  return fmt::format("rayaudit explain --subject {} '{}'", subject.name, answered_line(worst));
+std::string explain_line(const Worst& worst, const Subject& subject, const Convention& convention) {
+  std::string declared;
+  for (std::size_t kind = 1; kind < convention.stances.size(); ++kind) {
+    const auto stance = convention.stances[kind];
+    if (stance != Convention::Stance::either)
+      declared += fmt::format("{}{}={}", declared.empty() ? " --convention " : ",",
+                              name(static_cast<oracle::Kind>(kind)),
+                              stance == Convention::Stance::hit ? "hit" : "miss");
+  }
+  return fmt::format("rayaudit explain --subject {}{} '{}'", subject.name, declared,
+                     answered_line(worst));
 }
 
 }  // namespace rayaudit

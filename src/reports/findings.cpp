@@ -168,28 +168,36 @@ std::string places(const Theme& theme) {
 /// The causes that were found, the most frequent first, and where or what about.
 std::string causes(const Theme& theme) {
   CauseCount sum;
-  for (const Finding& finding : theme) sum.merge(finding.causes);
-  const std::uint64_t replayed = sum.replayed();
-  if (replayed == 0) return "cause: " + told(theme.front().example.diagnosis);
-  std::vector<std::pair<std::uint64_t, std::string>> parts;
+  CauseShare weight = {};
+  std::uint64_t wrong = 0;
+  for (const Finding& finding : theme) {
+    sum.merge(finding.causes);
+    add(weight, finding.by_cause);
+    wrong += finding.wrong;
+  }
+  std::vector<std::pair<double, std::string>> parts;
   for (std::size_t i = 0; i < cause_count; ++i) {
     const auto cause = static_cast<Cause>(i);
-    if (sum.of(cause) == 0) continue;
-    const std::string share =
-        sum.of(cause) == replayed ? "" : figures::percent(sum.of(cause), replayed) + "% ";
-    parts.emplace_back(sum.of(cause), share + std::string(name(cause)) + detail(sum, cause));
+    const double share = weight[i] / static_cast<double>(wrong);
+    if (share <= 0) continue;
+    const std::string per_cent = share > 0.9999 ? "" : fmt::format("{:.3g}% ", 100 * share);
+    parts.emplace_back(share, per_cent + std::string(name(cause)) + detail(sum, cause));
   }
   std::stable_sort(parts.begin(), parts.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<std::string> words;
-  for (const auto& [count, text] : parts) words.push_back(text);
-  return fmt::format("cause (of {} replayed): {}", figures::grouped(replayed), joined(words));
+  for (const auto& [share, text] : parts) words.push_back(text);
+  return fmt::format("cause (by {} of {} replayed): {}",
+                     figures::grouped(std::max<std::uint64_t>(sum.replayed(), 1)),
+                     figures::grouped(wrong), joined(words));
 }
 
 /// How near the edge it is wrong, and what can be relied on there.
 std::string limits(const Finding& worst) {
-  const double margin = worst.margin();
-  std::string text = margin > 0 ? fmt::format("margin: wrong up to {} u", magnitude(margin)) : "";
+  const double margin = worst.example.severity;
+  const std::string_view subject = worst.audit->subject->name;
+  std::string text =
+      margin > 0 ? fmt::format("margin: {} wrong up to {} u", subject, magnitude(margin)) : "";
   if (margin > 0 && margin <= excusable) text += ", as rounding the case itself may do";
   const Certificate& there = worst.audit->tally.certificate;
   if (there.cases == 0) return text;
@@ -199,12 +207,13 @@ std::string limits(const Finding& worst) {
                                              figures::percent(there.certified, there.cases),
                                              worst.audit->family->id);
   if (there.proved)
-    text += fmt::format(", there within {} ulps proved, {} seen", magnitude(there.proved->severity),
-                        magnitude(there.observed->severity));
+    text += fmt::format(", rounding alone within {} ulps proved, {} seen",
+                        magnitude(there.proved->severity), magnitude(there.observed->severity));
   return text;
 }
 
-std::string paragraph(const Theme& theme, std::size_t rank, const Ink& ink) {
+std::string paragraph(const Theme& theme, std::size_t rank, const Convention& convention,
+                      const Ink& ink) {
   const Finding& worst = theme.front();
   const std::string verdict = figures::words(name(worst.verdict));
   std::string head = wrapped(fmt::format("{} by {}: {}{}", verdict, worst.routine,
@@ -216,7 +225,7 @@ std::string paragraph(const Theme& theme, std::size_t rank, const Ink& ink) {
       head + wrapped(places(theme) + ": " + families(theme), 5) + wrapped(causes(theme), 5);
   if (const std::string limits_there = limits(worst); !limits_there.empty())
     text += wrapped(limits_there, 5);
-  return text + "     " + explain_line(worst.example, *worst.audit->subject) + '\n';
+  return text + "     " + explain_line(worst.example, *worst.audit->subject, convention) + '\n';
 }
 
 }  // namespace
@@ -232,7 +241,7 @@ std::string write_findings(const Run& run, const Ink& ink, bool all) {
   std::size_t shown = 0;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (!all && i >= themes_shown && !is_sentinel(found[i].front().claim)) continue;
-    text += '\n' + paragraph(found[i], i + 1, ink);
+    text += '\n' + paragraph(found[i], i + 1, run.plan.convention, ink);
     ++shown;
   }
   if (shown < found.size())

@@ -164,7 +164,7 @@ Json told(const Finding& finding) {
           {"cases", finding.cases},
           {"share", finding.share},
           {"causes", told(finding.causes)},
-          {"margin", number(finding.margin())},
+          {"margin", number(finding.margin)},
           {"subject", finding.audit->subject->name},
           {"family", finding.audit->family->id},
           {"cause", told(finding.example.diagnosis)},
@@ -187,6 +187,15 @@ Json told(const Convention& convention) {
   return told;
 }
 
+/// Of how many of each chunk of cases more than the verdict was asked; all, in a thorough run.
+Json shares(const Plan& plan) {
+  if (plan.thorough) return "all";
+  return {{"of", chunk_cases},
+          {"margins_and_proofs", close_a_chunk},
+          {"wrong_replayed", replays_a_chunk},
+          {"margins_in_exact_numbers", slow_margins_a_chunk}};
+}
+
 template <class List>
 Json list(const List& of) {
   Json all = Json::array();
@@ -205,6 +214,7 @@ std::string write_json(const Run& run, const Look&) {
                        {"difficulty", plan.difficulty ? Json(*plan.difficulty) : Json(nullptr)},
                        {"convention", told(plan.convention)},
                        {"limits", {{"wrong_t", wrong_t_limit}}},
+                       {"shares", shares(plan)},
                        {"environment", told(run.environment)},
                        {"audits", list(run.audits)},
                        {"findings", list(findings(run.audits))}};

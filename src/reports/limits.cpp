@@ -23,6 +23,7 @@ struct Sum {
   const Subject* subject;
   MarginCurve curve = {};
   Certificate certificate = {};
+  std::array<std::uint64_t, 4> stages = {};
 };
 
 std::vector<Sum> sums(const std::vector<Audit>& audits) {
@@ -31,6 +32,8 @@ std::vector<Sum> sums(const std::vector<Audit>& audits) {
     if (all.empty() || all.back().subject != audit.subject) all.push_back({audit.subject});
     all.back().curve.merge(audit.tally.curve);
     all.back().certificate.merge(audit.tally.certificate);
+    for (std::size_t i = 0; i < all.back().stages.size(); ++i)
+      all.back().stages[i] += audit.tally.stages[i];
   }
   return all;
 }
@@ -60,9 +63,20 @@ std::string proofs(const Certificate& certificate) {
     text += fmt::format("{:>8}{:>8}{:>7}", magnitude(certificate.proved->severity),
                         magnitude(certificate.observed->severity),
                         magnitude(certificate.looseness.quantile(0.5)));
+  if (certificate.compared < certificate.certified)
+    text += fmt::format("  ({} past the work limit)", certificate.certified - certificate.compared);
   if (certificate.wrong > 0)
     text += fmt::format("  {} DIFFER from the exact replay", certificate.wrong);
   return text;
+}
+
+/// Which stage of its own answered, of a subject that works in stages.
+std::string stages(const std::array<std::uint64_t, 4>& counts) {
+  std::uint64_t all = 0;
+  for (const std::uint64_t count : counts) all += count;
+  if (all == 0) return "";
+  return fmt::format("  answered by double {}%, double-double {}%, the oracle {}%",
+                     percent(counts[1], all), percent(counts[2], all), percent(counts[3], all));
 }
 
 }  // namespace
@@ -83,7 +97,7 @@ std::string write_limits(const Run& run, const Ink& ink) {
   text += fmt::format("{:>8}{:>8}{:>8}{:>7}\n", "proved%", "bound", "seen", "loose");
   for (const Sum& sum : sums(run.audits)) {
     std::string line = fmt::format("  {:<28.28}", sum.subject->name) + wrong_by_margin(sum.curve) +
-                       proofs(sum.certificate);
+                       proofs(sum.certificate) + stages(sum.stages);
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + '\n';
   }

@@ -88,14 +88,13 @@ std::string error(const Histogram& errors, double figure) {
   return fmt::format("{:>{}}", errors.count() > 0 ? magnitude(figure) : "-", error_width);
 }
 
-/// The cause found most often, and the largest margin at which an answer is wrong.
-std::string cause_and_margin(const Tally& tally) {
-  const auto counts = tally.causes().counts;
-  const auto most = std::max_element(counts.begin(), counts.end());
-  const std::string_view cause = tally.wrong() == 0 ? "-"
-                                 : *most == 0       ? "?"
-                                              : name(static_cast<Cause>(most - counts.begin()));
-  const Worst* widest = tally.widest();
+/// The cause of the most wrong answers, and the largest margin at which one is wrong.
+std::string cause_and_margin(const Line& line) {
+  CauseShare sum = {};
+  for (const Audit* audit : line.audits) add(sum, audit->tally.wrong_by_cause());
+  const auto most = std::max_element(sum.begin(), sum.end());
+  const std::string_view cause = *most == 0 ? "-" : name(static_cast<Cause>(most - sum.begin()));
+  const Worst* widest = line.tally.widest();
   return fmt::format("{:>11}{:>9}", cause, widest == nullptr ? "-" : magnitude(widest->severity));
 }
 
@@ -109,14 +108,14 @@ std::string row(const Line& line, const Ink& ink) {
   return fmt::format(
       "  {:<{}}{}{:>6} {:<{}}{}{}\n", cut(line.subject->name, subject_width), subject_width,
       shares(tally, ink), fmt::format("{}/{}", held, line.audits.size()), cut(most, family_width),
-      family_width, cause_and_margin(tally), error(tally.forced, tally.forced.largest()));
+      family_width, cause_and_margin(line), error(tally.forced, tally.forced.largest()));
 }
 
 std::string row_of_family(const Line& line, const Ink& ink) {
   const Tally& tally = line.tally;
   return fmt::format("  {:<{}} {:<{}}{}{}{}{}\n", cut(line.subject->name, subject_width),
                      subject_width, cut(line.audits.front()->family->id, family_width),
-                     family_width, shares(tally, ink), cause_and_margin(tally),
+                     family_width, shares(tally, ink), cause_and_margin(line),
                      error(tally.ulps, tally.ulps.largest()),
                      error(tally.forced, tally.forced.largest()));
 }
@@ -216,11 +215,15 @@ std::string title(const Run& run) {
   return wrapped(text, 0);
 }
 
-std::string legend(bool each_family) {
+std::string legend(const Plan& plan, bool each_family) {
+  const std::string replayed = plan.thorough
+                                   ? "every wrong answer"
+                                   : fmt::format("up to {} wrong answers of each {} cases",
+                                                 replays_a_chunk, grouped(chunk_cases));
   return wrapped(
       fmt::format(
           "Per cent of the cases are wrong, and how; a t is wrong where it is off by more than "
-          "1/{:.0f} of itself. {}Cause: by exact replay of a share of the wrong answers; formula: "
+          "1/{:.0f} of itself. {}Cause: by exact replay of {}; formula: "
           "wrong without any rounding too; assumption: right once what it takes for granted is so; "
           "flip: one comparison that rounding turned; rounding: the rest. Margin: how far the "
           "numbers of a case must move for its truth to change, in units u of rounding, to first "
@@ -228,7 +231,7 @@ std::string legend(bool each_family) {
           "t in units of its last place. Forced: the same in units of what rounding the numbers of "
           "the case once would do to t.",
           1 / wrong_t_limit,
-          each_family ? "" : "Holds: the families where none is wrong, of how many. "),
+          each_family ? "" : "Holds: the families where none is wrong, of how many. ", replayed),
       0);
 }
 
@@ -265,13 +268,25 @@ std::string summary(const Run& run, const Ink& ink) {
                      share(by_exact, valid));
 }
 
+/// Whether the subjects keep what they are held to; empty where that is nothing.
+std::string bounds(const Run& run, const Ink& ink) {
+  if (run.plan.bounds.empty()) return "";
+  const std::size_t count = broken(run.plan.bounds, run.audits).size();
+  const std::string rows = fmt::format("Bounds: of {} row{}, ", grouped(run.plan.bounds.size()),
+                                       run.plan.bounds.size() == 1 ? "" : "s");
+  if (count == 0) return rows + ink.good("every limit is kept") + '\n';
+  return rows +
+         ink.bad(fmt::format("{} limit{} broken", grouped(count), count == 1 ? " is" : "s are")) +
+         '\n';
+}
+
 }  // namespace
 
 std::string write_table(const Run& run, const Look& look) {
   const Ink ink = {look.colour};
   const bool each_family = run.audits.size() <= audits_with_rows;
   const std::vector<Line> all = lines(run.audits, each_family);
-  std::string text = title(run) + '\n' + legend(each_family) + '\n';
+  std::string text = title(run) + '\n' + legend(run.plan, each_family) + '\n';
   for (const std::size_t shape : run.plan.shapes) {
     std::string rows;
     for (const Line& line : all)
@@ -285,7 +300,7 @@ std::string write_table(const Run& run, const Look& look) {
   text += write_findings(run, ink, look.all_findings) + '\n';
   text += write_limits(run, ink) + '\n';
   if (!each_family) text += holding(run, ink) + '\n';
-  return text + surroundings(run.environment) + summary(run, ink);
+  return text + surroundings(run.environment) + bounds(run, ink) + summary(run, ink);
 }
 
 }  // namespace rayaudit

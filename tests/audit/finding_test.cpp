@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(the_largest_margin_leads_by_its_power_of_two) {
   Names order;
   for (const Finding& finding : found) order.push_back(finding.routine);
   check(order, {"d", "a", "c", "b"});
-  BOOST_TEST(found[1].margin() == 70);
+  BOOST_TEST(found[1].margin == 70);
   BOOST_TEST(found[1].audit->family->id == "far");
   BOOST_TEST((found[1].example.question == known_case(2)), case_line(found[1].example.question));
 }

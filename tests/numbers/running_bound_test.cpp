@@ -83,6 +83,15 @@ class Drawer : public NumberDrawer {
     const N x = in_number<N>(word(least, most));
     return bounded(x < N(0) ? -x : x, least_bits);
   }
+  /// One of which rounding has left nothing, perhaps: the error may be larger than the value.
+  Operand<N> cancelled() { return bounded(in_number<N>(word(-3, 3)), -8); }
+  /// One about where x exactly is, or one or two last places off it.
+  Operand<N> at(const Operand<N>& x) {
+    const auto value = static_cast<double>(x.bound.value);
+    const double last = std::ldexp(std::fabs(value + x.bound.off), 1 - bits<N>);
+    const DoubleDouble place = DoubleDouble(value) + DoubleDouble(x.bound.off);
+    return bounded(in_number<N>(place + DoubleDouble(last * between(-2, 2))), bits<N>);
+  }
   Operand<N> beside(const Operand<N>& x) {
     const DoubleDouble wide(static_cast<double>(x.bound.value));
     return bounded(in_number<N>(near(wide)), 0);
@@ -108,6 +117,28 @@ void require_sum_and_product(const Operand<N>& a, const Operand<N>& b) {
   require_holds("sum", a, b, a.bound + b.bound, a.exact + b.exact);
   require_holds("difference", a, b, a.bound - b.bound, a.exact - b.exact);
   require_holds("product", a, b, a.bound * b.bound, a.exact * b.exact);
+}
+
+/// Where an order is said to be proved, it is that of the exact numbers.
+template <class N>
+bool require_order(const Operand<N>& a, const Operand<N>& b) {
+  const int exact = (a.exact - b.exact).sign();
+  const auto hold = [&](const char* what, bool said, bool is_so, bool proved) {
+    if (proved) require(what, said == is_so, a, b, a.bound);
+    return proved;
+  };
+  bool proved = true;
+  const auto compared = [&](const char* what, const auto& order, bool is_so) {
+    const ProofWatch<N> watch;
+    const bool said = order(a.bound, b.bound);
+    proved = hold(what, said, is_so, watch.all_proved()) && proved;
+  };
+  compared("<", std::less<>(), exact < 0);
+  compared(">", std::greater<>(), exact > 0);
+  compared("<=", std::less_equal<>(), exact <= 0);
+  compared(">=", std::greater_equal<>(), exact >= 0);
+  compared("==", std::equal_to<>(), exact == 0);
+  return proved;
 }
 
 template <class N>
@@ -196,6 +227,44 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(operations_lie_within_their_bounds, N, Numbers) {
   BOOST_TEST(wide == 0, wide << " of well-known numbers are unbounded");
 }
 
+BOOST_AUTO_TEST_CASE_TEMPLATE(an_order_that_is_proved_is_the_exact_one, N, Numbers) {
+  Drawer<N> drawer(9);
+  const int far = range(N(0));
+  int proved = 0, open = 0;
+  for (int i = 0; i < operations; ++i) {
+    const Operand<N> a = drawer.operand(-far, far);
+    ++(require_order(a, drawer.operand(-far, far)) ? proved : open);
+    // Where the values alone say nothing, or the wrong thing.
+    const Operand<N> b = drawer.cancelled(), c = drawer.at(b);
+    ++(require_order(b, c) ? proved : open);
+    ++(require_order(c, b) ? proved : open);
+  }
+  BOOST_TEST(proved > operations);
+  BOOST_TEST(open > operations / 10);
+}
+
+BOOST_AUTO_TEST_CASE(a_float_that_cancelled_is_compared_without_rounding) {
+  // In floats the difference of the values is rounded by more than the numbers are open.
+  using Bound = RunningBound<float>;
+  const Bound a(0x1.f8a2f6p-25f, -0x1p-49, 0x1.8p-49), b(0x1.f8a2f4p-25f);
+  const Bound far(3.0f, 0x1p-24, 0x1p-23), near(0x1p-23f);
+  for (const auto& [x, y] : {std::pair(a, b), std::pair(far, near)}) {
+    const ProofWatch<float> watch;
+    const bool said = x < y;
+    const double gap =
+        (static_cast<double>(x.value) + x.off) - (static_cast<double>(y.value) + y.off);
+    if (watch.all_proved()) BOOST_TEST(said == (gap < 0));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(values_too_far_apart_for_their_format_are_no_proof) {
+  using Bound = RunningBound<float>;
+  const Bound p(-3e38f, 9e38, 9.5e38), q(3e38f);
+  const ProofWatch<float> watch;
+  const bool said = p > q;
+  BOOST_TEST((said || !watch.all_proved()));
+}
+
 BOOST_AUTO_TEST_CASE_TEMPLATE(bounds_hold_where_numbers_underflow, N, Numbers) {
   Drawer<N> drawer(2);
   const int tiny = std::is_same_v<N, float> ? -149 : -1074;
@@ -223,6 +292,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(an_overflow_proves_nothing, N, Numbers) {
     (void)(x < Bound(1));
     BOOST_TEST((!watch.all_proved() || x.is_bounded()), shown(x));
   }
+  // Beyond double, and within long double: nothing is taken for an infinity that was given.
+  const Bound beyond = (huge + huge) * (huge + huge);
+  BOOST_TEST(!(beyond.most == 0), shown(beyond));
   if (!std::is_same_v<N, long double>) BOOST_TEST(!double_range.is_bounded());
   if (!std::is_same_v<N, long double>) BOOST_TEST(!(huge + huge).is_bounded());
 }

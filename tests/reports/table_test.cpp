@@ -161,12 +161,13 @@ BOOST_AUTO_TEST_CASE(a_finding_tells_its_causes_its_margin_and_the_bound_there) 
   tally.certificate.observed = Worst{.severity = 2};
   const std::string text = table(made);
   BOOST_TEST(tells(text,
-                   "     cause (of 4 replayed): 75.0% flip (all at routines/a.hpp:7 `if (a < b) "
-                   "return {};`), 25.0% formula (a division by\n     0)\n"),
+                   "     cause (by 4 of 10 replayed): 75% flip (all at routines/a.hpp:7 `if (a < b) "
+                   "return {};`), 25% formula (a division by\n     0)\n"),
              text);
   BOOST_TEST(tells(text,
-                   "     margin: wrong up to 3.0e5 u; bound: 25.0% of far certified, there within "
-                   "12.5 ulps proved, 2 seen\n"),
+                   "     margin: textbook/float wrong up to 3.0e5 u; bound: 25.0% of far "
+                   "certified, rounding alone within "
+                   "12.5 ulps proved,\n     2 seen\n"),
              text);
   const std::string first = row(text, "textbook/float");
   BOOST_TEST(tells(first, "flip    3.0e5"), first);
@@ -175,7 +176,8 @@ BOOST_AUTO_TEST_CASE(a_finding_tells_its_causes_its_margin_and_the_bound_there) 
 BOOST_AUTO_TEST_CASE(a_small_margin_is_said_to_be_excusable) {
   HandMade made;
   turn(made.add("textbook/float", 1, "far"), Verdict::false_miss, Claim::none, 10, 1, 3);
-  BOOST_TEST(tells(table(made), "margin: wrong up to 3 u, as rounding the case itself may do\n"));
+  BOOST_TEST(tells(table(made),
+                   "margin: textbook/float wrong up to 3 u, as rounding the case itself may do\n"));
 }
 
 BOOST_AUTO_TEST_CASE(limits_tell_how_often_a_subject_is_wrong_at_which_margin) {
