@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "geometry/flattened.hpp"
 #include "geometry/shapes.hpp"
 
 namespace rayaudit::oracle {
@@ -14,16 +15,6 @@ template <class F>
     ((shape.index() == I ? f(*std::get_if<I>(&shape)) : void()), ...);
   }
   (std::make_index_sequence<shape_count>{});
-}
-
-/// Does the processor have fused multiplications?
-inline bool has_fused() {
-#ifdef __x86_64__
-  static const bool fused = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  return fused;
-#else
-  return false;
-#endif
 }
 
 /// Runs body, a callable that is inlined into its caller, with fused multiplications in hardware

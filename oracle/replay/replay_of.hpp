@@ -154,7 +154,7 @@ std::optional<Watched> watched_in(const Case& question, int forced, Wanted wante
 template <class Routine, class N, class S>
 std::optional<Watched> watch(const Case& question, int forced, Wanted wanted) {
   if (wanted == Wanted::parting)
-    if (const auto seen = watched_in<Routine, N, Shadow<NearlyExact>, S>(question, forced, wanted))
+    if (auto seen = watched_in<Routine, N, Shadow<NearlyExact>, S>(question, forced, wanted))
       return seen;
   Surd::begin();
   try {

@@ -69,7 +69,7 @@ class Shadow<Surd> {
   }
   template <class Operation>
   static Shadow of(const Shadow& a, const Shadow& b, const Operation& operation) {
-    if (!a.value_ || !b.value_) return Shadow();
+    if (!a.value_ || !b.value_) return {};
     return Shadow(operation);
   }
   Shadow() = default;

@@ -116,7 +116,7 @@ Surd operator/(const Surd& a, const Surd& b) {
   if (b.sign() == 0) throw Undefined{"a division by 0"};
   if (b.infinite_ != 0) {
     if (a.infinite_ != 0) throw Undefined{"infinity by infinity"};
-    return Surd();
+    return {};
   }
   if (a.infinite_ != 0) return Surd::infinity(a.infinite_ * b.sign());
   if (b.level_ > 0) {
@@ -175,12 +175,12 @@ mpf_class Surd::number() const {
   const int whole_sign = whole().sign(), root_sign = factor().sign();
   if (whole_sign * root_sign < 0) {
     const Surd top = norm();
-    if (top.sign() == 0) return mpf_class(0, value_bits);
-    return mpf_class(top.number() / conjugate().number(), value_bits);
+    if (top.sign() == 0) return {0, value_bits};
+    return {top.number() / conjugate().number(), value_bits};
   }
   mpf_class root(radicand().number(), value_bits);
   root = mpf_class(::sqrt(root) * factor().number(), value_bits);
-  return mpf_class(whole().number() + root, value_bits);
+  return {whole().number() + root, value_bits};
 }
 
 Real Surd::value() const {

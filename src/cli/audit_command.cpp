@@ -153,6 +153,7 @@ int audit(const AuditOptions& options) {
   const std::vector<ReportOrder> orders = orders_of(options);
   const std::optional<std::string> observed_to = place_of_observed(options);
   std::vector<std::string> files;
+  files.reserve(orders.size() + 1);
   for (const ReportOrder& order : orders) files.push_back(order.file);
   if (observed_to) files.push_back(*observed_to);
   require_places(files);

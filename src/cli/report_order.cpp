@@ -88,6 +88,7 @@ ReportOrder read_report_order(std::string_view text) {
 
 std::vector<ReportOrder> read_report_orders(const std::vector<std::string>& texts) {
   std::vector<ReportOrder> orders;
+  orders.reserve(texts.size());
   for (const std::string& text : texts) orders.push_back(read_report_order(text));
   return orders;
 }

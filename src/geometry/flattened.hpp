@@ -2,6 +2,16 @@
 
 namespace rayaudit {
 
+/// Does the processor have fused multiplications?
+inline bool has_fused() {
+#ifdef __x86_64__
+  static const bool fused = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  return fused;
+#else
+  return false;
+#endif
+}
+
 #ifdef __x86_64__
 template <class Body>
 [[gnu::noinline, gnu::flatten, gnu::target("avx2,fma")]] void run_flattened_with_fma(
@@ -19,8 +29,7 @@ template <class Body>
 template <class Body>
 void run_flattened(const Body& body) {
 #ifdef __x86_64__
-  static const bool fused = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  if (fused) return run_flattened_with_fma(body);
+  if (has_fused()) return run_flattened_with_fma(body);
 #endif
   run_as_it_is(body);
 }

@@ -180,13 +180,14 @@ std::string causes(const Theme& theme) {
     const auto cause = static_cast<Cause>(i);
     const double share = weight[i] / static_cast<double>(wrong);
     if (share <= 0) continue;
-    const std::string per_cent = share > 0.9999 ? "" : fmt::format("{:.3g}% ", 100 * share);
-    parts.emplace_back(share, per_cent + std::string(name(cause)) + detail(sum, cause));
+    parts.emplace_back(share, std::string(name(cause)) + detail(sum, cause));
   }
   std::stable_sort(parts.begin(), parts.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<std::string> words;
-  for (const auto& [share, text] : parts) words.push_back(text);
+  words.reserve(parts.size());
+  for (const auto& [share, text] : parts)
+    words.push_back(parts.size() == 1 ? text : fmt::format("{:.3g}% {}", 100 * share, text));
   return fmt::format("cause (by {} of {} replayed): {}",
                      figures::grouped(std::max<std::uint64_t>(sum.replayed(), 1)),
                      figures::grouped(wrong), joined(words));

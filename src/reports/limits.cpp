@@ -75,8 +75,8 @@ std::string stages(const std::array<std::uint64_t, 4>& counts) {
   std::uint64_t all = 0;
   for (const std::uint64_t count : counts) all += count;
   if (all == 0) return "";
-  return fmt::format("  answered by double {}%, double-double {}%, the oracle {}%",
-                     percent(counts[1], all), percent(counts[2], all), percent(counts[3], all));
+  return fmt::format("  stages {}%, {}%, {}%", percent(counts[1], all), percent(counts[2], all),
+                     percent(counts[3], all));
 }
 
 }  // namespace
@@ -88,7 +88,8 @@ std::string write_limits(const Run& run, const Ink& ink) {
           "per cent certified (every comparison proved, so that the verdict is that of the "
           "same routine without rounding), the largest bound proved and the largest error "
           "seen of t, in ulps, both against that exact replay, and how many times the one "
-          "the other is, at half of the hits. From {}.",
+          "the other is, at half of the hits. Of a subject that works in stages, per cent answered "
+          "by each. From {}.",
           run.plan.thorough ? "all cases" : "32 of each 1,024 cases"),
       0);
   text.replace(0, 6, ink.heading("Limits"));

@@ -67,7 +67,8 @@ BOOST_AUTO_TEST_CASE(a_broken_bound_is_told_with_its_row_and_the_case) {
 BOOST_AUTO_TEST_CASE(a_count_beyond_its_bound_is_told_of_how_many) {
   const auto ended = held("textbook/float sphere far false_hit 1 observed\n");
   BOOST_TEST(ended.code == 1);
-  BOOST_TEST(contains(ended.err, " of 1,000 cases, more than 1; cause: flip at routines/"), ended.err);
+  BOOST_TEST(contains(ended.err, " of 1,000 cases, more than 1; cause: flip at routines/"),
+             ended.err);
 }
 
 BOOST_AUTO_TEST_CASE(the_explain_command_of_a_broken_bound_shows_it) {

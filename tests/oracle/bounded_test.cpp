@@ -2,10 +2,10 @@
 #include "oracle/bounded.hpp"
 
 #include <boost/test/unit_test.hpp>
-#include <random>
 #include <string>
 
 #include "geometry/case_line.hpp"
+#include "tests/numbers/drawer.hpp"
 #include "tests/oracle/dyadic.hpp"
 
 using namespace rayaudit;
@@ -38,20 +38,9 @@ std::string shown(const Bounded& x) {
 }
 
 /// Operands of every kind: with and without low words and errors, of few bits and of many.
-class Drawer {
+class Drawer : public NumberDrawer {
  public:
-  explicit Drawer(unsigned seed) : engine_(seed) {}
-
-  int below(int end) { return static_cast<int>(engine_() % static_cast<unsigned>(end)); }
-  int between(int least, int most) { return least + below(most - least + 1); }
-  /// In [-1, 1).
-  double symmetric() { return std::ldexp(static_cast<double>(engine_() >> 11), -52) - 1; }
-
-  double number(int least, int most) {
-    double x = 0;
-    while (x == 0) x = below(4) == 0 ? between(-9, 9) : symmetric();
-    return std::ldexp(x, between(least, most));
-  }
+  using NumberDrawer::NumberDrawer;
 
   Bounded exact_word(int least, int most) {
     const double high = number(least, most);
@@ -82,9 +71,6 @@ class Drawer {
         oracle::double_word::fast_two_sum(-x.bounded.high, -x.bounded.low + off * x.bounded.high);
     return with_error(word, 0);
   }
-
- private:
-  std::mt19937_64 engine_;
 };
 
 /// Requires the bound of op on many operands that draw() gives; an infinite one counts as wide.

@@ -160,10 +160,11 @@ BOOST_AUTO_TEST_CASE(a_finding_tells_its_causes_its_margin_and_the_bound_there) 
   tally.certificate.proved = Worst{.severity = 12.5},
   tally.certificate.observed = Worst{.severity = 2};
   const std::string text = table(made);
-  BOOST_TEST(tells(text,
-                   "     cause (by 4 of 10 replayed): 75% flip (all at routines/a.hpp:7 `if (a < b) "
-                   "return {};`), 25% formula (a division by\n     0)\n"),
-             text);
+  BOOST_TEST(
+      tells(text,
+            "     cause (by 4 of 10 replayed): 75% flip (all at routines/a.hpp:7 `if (a < b) "
+            "return {};`), 25% formula (a division by\n     0)\n"),
+      text);
   BOOST_TEST(tells(text,
                    "     margin: textbook/float wrong up to 3.0e5 u; bound: 25.0% of far "
                    "certified, rounding alone within "
