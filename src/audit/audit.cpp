@@ -87,7 +87,10 @@ Diagnosis diagnosis_of(const Plan& plan, const Audit& audit, const Case& questio
                        const Answer& answer, const Judgement& judgement) {
   const oracle::Truth truth = oracle::truth(question, oracle::bits_for(audit.subject->format));
   Settled settled(question, truth);
-  return diagnosis({settled, answer, judgement, audit.most_ulps}, *audit.subject,
+  // A right answer is mended where its error is, by half of it where no more is held.
+  std::optional<double> most_ulps;
+  if (!is_wrong(judgement.verdict)) most_ulps = audit.most_ulps.value_or(judgement.ulps / 2);
+  return diagnosis({settled, answer, judgement, most_ulps}, *audit.subject,
                    replay::replay_of(audit.subject->name), plan.convention);
 }
 

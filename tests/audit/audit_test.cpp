@@ -436,6 +436,32 @@ BOOST_AUTO_TEST_CASE(no_certified_verdict_differs_from_the_exact_replay) {
   BOOST_TEST(compared > 1000U);
 }
 
+BOOST_AUTO_TEST_CASE(a_subject_is_told_the_same_alone_and_among_others) {
+  // Those of a group share the margins of their cases, worked out for whoever asks first.
+  Plan plan = {.subjects = {subject_of("unit_direction/double"), subject_of("textbook/double"),
+                            subject_of("stable_quadratic/double")},
+               .families = {family_of("parallel"), family_of("within-near"), family_of("flat")},
+               .shapes = {cylinder},
+               .cases = 2500,
+               .seed = 3};
+  const std::vector<Audit> among = run(plan);
+  plan.subjects = {subject_of("stable_quadratic/double")};
+  const std::vector<Audit> alone = run(plan);
+  BOOST_REQUIRE(alone.size() == 3);
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    const Tally &a = alone[i].tally, &b = among[6 + i].tally;
+    BOOST_REQUIRE(among[6 + i].subject == alone[i].subject);
+    BOOST_TEST(a.wrong() == b.wrong(), title(alone[i]));
+    BOOST_TEST(a.causes().counts == b.causes().counts, title(alone[i]));
+    for (int exponent = MarginCurve::least; exponent <= MarginCurve::most; ++exponent) {
+      BOOST_TEST(a.curve.at(exponent).cases == b.curve.at(exponent).cases, title(alone[i]));
+      BOOST_TEST(a.curve.at(exponent).wrong == b.curve.at(exponent).wrong, title(alone[i]));
+    }
+    BOOST_REQUIRE((a.widest() == nullptr) == (b.widest() == nullptr));
+    if (a.widest() != nullptr) BOOST_TEST(a.widest()->place == b.widest()->place);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(an_error_beyond_what_is_held_is_replayed_too) {
   Plan plan = {.subjects = {subject_of("textbook/float")},
                .families = {family_of("far")},
