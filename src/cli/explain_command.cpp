@@ -279,6 +279,8 @@ std::string followed(const Case& question, const Subject& subject, const Convent
                                       replay::replay_of(subject.name), convention);
     text += row("cause", told(found));
     if (found.turned) text += row("", std::string(found.turned->text));
+    if (found.cause == Cause::rounding)
+      text += row("", "no one comparison, answered the other way, mends it");
   }
   return text + steps_text(question, subject);
 }

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
 #include "oracle/replay/replay.hpp"
 #include "reports/figures.hpp"
-#include "reports/wrapped.hpp"
 
 namespace rayaudit {
 namespace {
@@ -20,34 +20,26 @@ using Visit = std::span<const Step>;
 
 bool is_same_line(const Step& a, const Step& b) { return a.line == b.line && a.file == b.file; }
 
-bool is_loop(const Visit& visit) { return visit.front().text.starts_with("while"); }
-
-bool parts(const Visit& visit) {
-  for (const Step& step : visit)
-    if (step.parts()) return true;
-  return false;
-}
-
-/// The visits of lines in order; of the rounds of a loop the last alone, and those where paths
-/// part.
 std::vector<Visit> visits(const std::vector<Step>& steps) {
   std::vector<Visit> all;
   for (std::size_t i = 0; i < steps.size();) {
     std::size_t end = i + 1;
-    while (end < steps.size() && is_same_line(steps[i], steps[end]) &&
-           !steps[end].compares == !steps[i].compares)
-      ++end;
-    const Visit visit(steps.data() + i, end - i);
-    const bool again = !all.empty() && is_loop(visit) && is_same_line(all.back()[0], steps[i]) &&
-                       !parts(all.back());
-    if (again && all.back()[0].compares == steps[i].compares) all.pop_back();
-    if (again && all.size() > 1 && is_same_line(all[all.size() - 2][0], steps[i]) &&
-        !parts(all[all.size() - 2]))
-      all.erase(all.end() - 2);
-    all.push_back(visit);
+    while (end < steps.size() && is_same_line(steps[i], steps[end])) ++end;
+    all.emplace_back(steps.data() + i, end - i);
     i = end;
   }
   return all;
+}
+
+/// Of a loop the last operation and comparison, and where paths part; of a line of a routine every
+/// step; elsewhere, in a dot product say, what comes of it.
+bool is_shown(const Visit& visit, const Step& step) {
+  if (!step.text.starts_with("while"))
+    return step.compares || !step.used || step.file.starts_with("routines/");
+  const auto is_later = [&](const Step& other) {
+    return &other > &step && other.compares == step.compares;
+  };
+  return step.parts() || std::none_of(visit.begin(), visit.end(), is_later);
 }
 
 std::string in_format(const Real& x, const Format& format) {
@@ -85,13 +77,11 @@ std::string comparison_text(const Step& step, const Format& format) {
 }
 
 std::string text_of(const Visit& visit, const Format& format) {
-  std::string text;
-  for (const Step& step : visit) {
-    if (step.compares)
-      text += comparison_text(step, format);
-    else if (!step.used || step.file.starts_with("routines/"))
-      text += operation_text(step, format);
-  }
+  const Step& first = visit.front();
+  std::string text = fmt::format("  {}:{}  {}\n", first.file, first.line, first.text);
+  for (const Step& step : visit)
+    if (is_shown(visit, step))
+      text += step.compares ? comparison_text(step, format) : operation_text(step, format);
   return text;
 }
 
@@ -103,14 +93,7 @@ std::string steps_text(const Case& question, const Subject& subject) {
   const auto run = replay->watched(question, subject.format, -1, replay::Wanted::all);
   if (!run) return subject.name + ": past the work limit of a replay\n";
   std::string text = fmt::format("{}, step by step:\n", subject.name);
-  const Step* last = nullptr;
-  for (const Visit& visit : visits(run->steps)) {
-    const Step& first = visit.front();
-    if (last == nullptr || !is_same_line(*last, first))
-      text += fmt::format("  {}:{}  {}\n", first.file, first.line, first.text);
-    text += text_of(visit, subject.format);
-    last = &first;
-  }
+  for (const Visit& visit : visits(run->steps)) text += text_of(visit, subject.format);
   return text;
 }
 

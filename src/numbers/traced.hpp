@@ -14,8 +14,8 @@ struct Trace;
 /// so: the steps of the run, and above all its comparisons, are noted with their place in the
 /// source. Comparisons are answered as N answers them; one of them may be forced the other way.
 ///
-/// X has + - * /, unary minus and sqrt, which never throw, and the function order(a, b): -1, 0 or
-/// 1, or nothing where it cannot tell.
+/// X has + - * /, unary minus and sqrt, and stands also for a number without a value, as after the
+/// root of a negative one: rounding may lead a run where no exact number goes.
 template <class N, class X>
 struct Traced {
   RunningBound<N> near;

@@ -106,6 +106,24 @@ BOOST_AUTO_TEST_CASE(a_subject_is_followed_step_by_step_to_where_the_paths_part)
   BOOST_TEST(contains(line, " < 0: yes"), line);
 }
 
+BOOST_AUTO_TEST_CASE(a_value_that_rounding_spoilt_is_no_flip) {
+  // b^2 - 4ac is negative; answered the other way, its root would be none.
+  const auto ended =
+      run("rayaudit explain --subject textbook/float 'sphere -0x1.ae1e3cp-4 -0x1.c09e48p-2 "
+          "-0x1.dfceb2p-1 0x1.10a742p+1 ray 0x1.cec4a6p+12 -0x1.caf57p+12 0x1.8def4ep+12 "
+          "-0x1.a82696p-1 0x1.a4835ep-1 -0x1.6cbd2p-1'");
+  BOOST_TEST(contains(ended.out,
+                      "\ncause     rounding\n"
+                      "          no one comparison, answered the other way, mends it\n"));
+}
+
+BOOST_AUTO_TEST_CASE(a_declared_convention_is_held) {
+  const std::string tangent = "'sphere 0 0 0 1 ray 0 1 -3 0 0 1 hit 3'";
+  BOOST_TEST(contains(run("rayaudit explain " + tangent).out, " touch  "));
+  BOOST_TEST(contains(run("rayaudit explain --convention tangent=miss " + tangent).out,
+                      " false_hit declined "));
+}
+
 BOOST_AUTO_TEST_CASE(a_subject_that_cannot_be_followed_says_so) {
   BOOST_TEST(contains(
       run("rayaudit explain --subject certified/float sphere 0 0 0 1 ray 0 0 -3 0 0 1").out,
