@@ -6,6 +6,7 @@
 
 #include "oracle/position.hpp"
 #include "tests/families/drawn.hpp"
+#include "tests/oracle/restriction.hpp"
 
 using namespace rayaudit;
 using oracle::Margin;
@@ -203,40 +204,6 @@ BOOST_AUTO_TEST_CASE(powers_of_two_and_turned_axes_leave_the_margin_as_it_is) {
 
 namespace {
 
-/// C + B t + A t^2 = F(o + t d), its coefficients written out for each shape.
-struct Restriction {
-  Wide a, b, c;
-};
-
-Restriction restriction(const Disk<Wide>& disk, const Vec3<Wide>& o, const Vec3<Wide>& d) {
-  return {0, dot(d, disk.normal), dot(o - disk.centre, disk.normal)};
-}
-
-Restriction restriction(const Sphere<Wide>& sphere, const Vec3<Wide>& o, const Vec3<Wide>& d) {
-  const Vec3<Wide> v = o - sphere.centre;
-  return {dot(d, d), 2 * dot(v, d), dot(v, v) - sphere.radius * sphere.radius};
-}
-
-/// |v|^2 |w|^2 - (v.w)^2 along the ray.
-Restriction about_axis(const Vec3<Wide>& v, const Vec3<Wide>& w, const Vec3<Wide>& d) {
-  const Wide ww = dot(w, w), vw = dot(v, w), dw = dot(d, w);
-  return {dot(d, d) * ww - dw * dw, 2 * (dot(v, d) * ww - vw * dw), dot(v, v) * ww - vw * vw};
-}
-
-Restriction restriction(const Cylinder<Wide>& cylinder, const Vec3<Wide>& o, const Vec3<Wide>& d) {
-  const Vec3<Wide> w = cylinder.top - cylinder.base;
-  Restriction f = about_axis(o - cylinder.base, w, d);
-  f.c -= cylinder.radius * cylinder.radius * dot(w, w);
-  return f;
-}
-
-Restriction restriction(const Cone<Wide>& cone, const Vec3<Wide>& o, const Vec3<Wide>& d) {
-  const Vec3<Wide> v = o - cone.base, w = cone.apex - cone.base;
-  const Wide ww = dot(w, w), h = ww - dot(v, w), dw = dot(d, w), rr = cone.radius * cone.radius;
-  const auto [a, b, c] = about_axis(v, w, d);
-  return {ww * a - rr * dw * dw, ww * b + 2 * rr * h * dw, ww * c - rr * h * h};
-}
-
 Wide side(const Disk<Wide>& disk, const Vec3<Wide>& p, int) {
   const Vec3<Wide> v = p - disk.centre;
   return disk.radius * disk.radius - dot(v, v);
@@ -253,13 +220,14 @@ Wide side(const Cone<Wide>& s, const Vec3<Wide>& p, int i) {
 }
 
 /// The roots of a restriction in order, the tangent point where there is none.
-Wide root(const Restriction& f, int i) {
-  if (f.a == 0) return -f.c / f.b;
-  const Wide d = f.b * f.b - 4 * f.a * f.c;
-  if (d <= 0) return -f.b / (2 * f.a);
+Wide root(const Restriction<Wide>& f, int i) {
+  const Wide b = 2 * f.half_b;
+  if (f.a == 0) return -f.c / b;
+  const Wide d = b * b - 4 * f.a * f.c;
+  if (d <= 0) return -b / (2 * f.a);
   const bool larger = (i == 1) == (f.a > 0);
-  const Wide m = f.b > 0 ? Wide(-f.b - sqrt(d)) : Wide(-f.b + sqrt(d));
-  return (f.b > 0) == larger ? 2 * f.c / m : m / (2 * f.a);
+  const Wide m = b > 0 ? Wide(-b - sqrt(d)) : Wide(-b + sqrt(d));
+  return (b > 0) == larger ? 2 * f.c / m : m / (2 * f.a);
 }
 
 /// Calls visit(x, how far it may move) for every number of a case, its range too.
@@ -288,8 +256,8 @@ struct Moving {
   Margin margin;
 
   Wide sign() const {
-    const Restriction f = restriction(shape, ray.origin, ray.direction);
-    if (margin.sign == Sign::discriminant) return f.b * f.b - 4 * f.a * f.c;
+    const Restriction<Wide> f = restriction(shape, ray.origin, ray.direction);
+    if (margin.sign == Sign::discriminant) return 4 * (f.half_b * f.half_b - f.a * f.c);
     const Wide t = root(f, margin.root);
     if (margin.sign == Sign::start) return t - ray.t_min;
     if (margin.sign == Sign::end) return ray.t_max - t;

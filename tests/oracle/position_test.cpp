@@ -6,6 +6,7 @@
 
 #include "tests/families/drawn.hpp"
 #include "tests/oracle/dyadic.hpp"
+#include "tests/oracle/restriction.hpp"
 
 using namespace rayaudit;
 using oracle::Crossing;
@@ -139,42 +140,8 @@ BOOST_AUTO_TEST_CASE(the_distance_is_that_of_the_linearised_field) {
 
 namespace {
 
-/// C + B t + A t^2 = F(o + t d), its coefficients written out for each shape.
-struct Restriction {
-  Wide a, half_b, c;
-};
-
-Restriction restriction(const Disk<Wide>& disk, const Vec3<Wide>& o, const Vec3<Wide>& d) {
-  return {0, dot(d, disk.normal) / 2, dot(o - disk.centre, disk.normal)};
-}
-
-Restriction restriction(const Sphere<Wide>& sphere, const Vec3<Wide>& o, const Vec3<Wide>& d) {
-  const Vec3<Wide> v = o - sphere.centre;
-  return {dot(d, d), dot(v, d), dot(v, v) - sphere.radius * sphere.radius};
-}
-
-/// |v|^2 |w|^2 - (v.w)^2 along the ray.
-Restriction about_axis(const Vec3<Wide>& v, const Vec3<Wide>& w, const Vec3<Wide>& d) {
-  const Wide ww = dot(w, w), vw = dot(v, w), dw = dot(d, w);
-  return {dot(d, d) * ww - dw * dw, dot(v, d) * ww - vw * dw, dot(v, v) * ww - vw * vw};
-}
-
-Restriction restriction(const Cylinder<Wide>& cylinder, const Vec3<Wide>& o, const Vec3<Wide>& d) {
-  const Vec3<Wide> w = cylinder.top - cylinder.base;
-  Restriction f = about_axis(o - cylinder.base, w, d);
-  f.c -= cylinder.radius * cylinder.radius * dot(w, w);
-  return f;
-}
-
-Restriction restriction(const Cone<Wide>& cone, const Vec3<Wide>& o, const Vec3<Wide>& d) {
-  const Vec3<Wide> v = o - cone.base, w = cone.apex - cone.base;
-  const Wide ww = dot(w, w), h = ww - dot(v, w), dw = dot(d, w), rr = cone.radius * cone.radius;
-  const auto [a, half_b, c] = about_axis(v, w, d);
-  return {ww * a - rr * dw * dw, ww * half_b + rr * h * dw, ww * c - rr * h * h};
-}
-
 /// The roots of a restriction, none of them lost to cancellation; e is that of (-B + e sqrt(D)).
-Wide root(const Restriction& f, int e) {
+Wide root(const Restriction<Wide>& f, int e) {
   if (f.a == 0) return -f.c / (2 * f.half_b);
   const Wide to_root = sqrt(Wide(f.half_b * f.half_b - f.a * f.c));
   const Wide m = -f.half_b + e * to_root;
@@ -187,7 +154,7 @@ struct Loose {
   Ray<Wide> ray;
   S shape;
 
-  Restriction along() const { return restriction(shape, ray.origin, ray.direction); }
+  Restriction<Wide> along() const { return restriction(shape, ray.origin, ray.direction); }
 
   template <class V>
   void each_number(V&& visit) {
@@ -224,7 +191,7 @@ Wide in_wide(const Real& x) {
 }
 
 /// Which root of F a crossing is, from the shape of F alone; nothing at a double root.
-std::optional<int> branch(const Restriction& f, const Wide& t) {
+std::optional<int> branch(const Restriction<Wide>& f, const Wide& t) {
   if (f.a == 0) return f.half_b > 0 ? 1 : -1;
   if (f.half_b * f.half_b == f.a * f.c) return {};
   return abs(Wide(root(f, 1) - t)) < abs(Wide(root(f, -1) - t)) ? 1 : -1;
@@ -247,7 +214,7 @@ double off_from_differences(const Case& question, const Crossing& crossing) {
   return std::visit(
       [&, sensed = forced, before = sign_before](const auto& shape) -> double {
         Loose<decltype(in<Wide>(shape))> loose = {in<Wide>(question.ray), in<Wide>(shape)};
-        const Restriction f = loose.along();
+        const Restriction<Wide> f = loose.along();
         const std::optional<int> e = branch(f, in_wide(crossing.t));
         if (!e) return is_infinite(sensed) && before == (f.a > 0 ? 1 : -1) ? 0 : wrong;
         // F' at the root is e sqrt(D), or B of a linear F.
