@@ -103,7 +103,8 @@ CauseCount Tally::causes() const {
 CauseShare Tally::wrong_by_cause() const {
   CauseShare sum = {};
   for (const Outcome& each : outcomes)
-    if (is_wrong(each.verdict)) rayaudit::add(sum, by_cause(each));
+    if (is_wrong(each.verdict) && each.verdict != Verdict::invalid_mishandled)
+      rayaudit::add(sum, by_cause(each));
   return sum;
 }
 

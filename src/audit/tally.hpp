@@ -90,7 +90,7 @@ struct Tally {
   std::uint64_t wrong() const;
   /// The causes of all wrong answers, and of right ones that were off by more than they may be.
   CauseCount causes() const;
-  /// The wrong answers by cause, of each outcome as those that were replayed.
+  /// The wrong answers by cause, of each outcome as those that were replayed; not invalid cases.
   CauseShare wrong_by_cause() const;
   /// The outcome of a verdict and claim, made where it has not occurred.
   Outcome& outcome(Verdict verdict, Claim claim);

@@ -88,7 +88,8 @@ std::string error(const Histogram& errors, double figure) {
   return fmt::format("{:>{}}", errors.count() > 0 ? magnitude(figure) : "-", error_width);
 }
 
-/// The cause of the most wrong answers, and the largest margin at which one is wrong.
+/// The cause of the most wrong answers, conduct on invalid cases aside, and the largest margin at
+/// which one is wrong.
 std::string cause_and_margin(const Line& line) {
   CauseShare sum = {};
   for (const Audit* audit : line.audits) add(sum, audit->tally.wrong_by_cause());

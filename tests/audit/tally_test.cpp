@@ -124,6 +124,21 @@ BOOST_AUTO_TEST_CASE(margins_beyond_the_curve_count_at_its_ends) {
   BOOST_TEST(curve.at(1).cases == 1U);
 }
 
+BOOST_AUTO_TEST_CASE(wrong_answers_have_the_causes_of_those_replayed_and_invalid_cases_none) {
+  Tally tally;
+  Outcome& missed = tally.outcome(Verdict::false_miss, Claim::none);
+  missed.count = 90;
+  for (const Cause cause : {Cause::flip, Cause::flip, Cause::rounding})
+    missed.causes.add({cause, {}, {}});
+  Outcome& invalid = tally.outcome(Verdict::invalid_mishandled, Claim::none);
+  invalid.count = 500;
+  invalid.causes.add({Cause::formula, {}, {}});
+  const CauseShare share = tally.wrong_by_cause();
+  BOOST_TEST(share[static_cast<std::size_t>(Cause::flip)] == 60);
+  BOOST_TEST(share[static_cast<std::size_t>(Cause::rounding)] == 30);
+  BOOST_TEST(share[static_cast<std::size_t>(Cause::formula)] == 0);
+}
+
 BOOST_AUTO_TEST_CASE(causes_are_counted_by_place_and_merge) {
   replay::Step here, there;
   here.file = "routines/a.hpp", here.line = 7;
