@@ -24,23 +24,28 @@ struct Group {
   const Family* family;
   std::size_t shape;
   Format drawn_in;
+  int bits;  ///< to which t must be known
   std::vector<std::size_t> audits;
-
-  /// To which t must be known: for the finest format that is asked such cases, whoever takes part.
-  int bits() const {
-    return oracle::bits_for(drawn_in == float_format ? float_format : long_double_format);
-  }
 };
 
-std::vector<Group> grouped(const std::vector<Audit>& audits) {
+/// The bits of t that a subject's answers are judged by: those of the finest format that shares its
+/// cases, so that it is told the same alone and among others.
+int bits_of(const Subject& subject) {
+  if (subject.format == float_format) return oracle::bits_for(float_format);
+  const bool wide = subject.format.precision > long_double_format.precision;
+  return oracle::bits_for(wide ? float128_format : long_double_format);
+}
+
+std::vector<Group> grouped(const Plan& plan, const std::vector<Audit>& audits) {
   std::vector<Group> groups;
-  std::map<std::tuple<const Family*, std::size_t, int>, std::size_t> places;
+  std::map<std::tuple<const Family*, std::size_t, int, int>, std::size_t> places;
   for (std::size_t i = 0; i < audits.size(); ++i) {
     const auto& [subject, family, shape, tally, most_ulps] = audits[i];
-    const Format& format = subject->drawn_in();
+    const Format& format = plan.drawn_in ? *plan.drawn_in : subject->drawn_in();
+    const int bits = bits_of(*subject);
     const auto [place, is_new] =
-        places.try_emplace({family, shape, format.precision}, groups.size());
-    if (is_new) groups.push_back({family, shape, format, {}});
+        places.try_emplace({family, shape, format.precision, bits}, groups.size());
+    if (is_new) groups.push_back({family, shape, format, bits, {}});
     groups[place->second].audits.push_back(i);
   }
   return groups;
@@ -144,7 +149,7 @@ void judge_portion(const Plan& plan, const Group& group, std::span<const Case> c
   std::array<oracle::Truth, portion> truths;
   std::array<Answer, portion> answers;
   const std::size_t size = cases.size();
-  oracle::truth(cases, {truths.data(), size}, group.bits());
+  oracle::truth(cases, {truths.data(), size}, group.bits);
   std::vector<Settled> settled;
   settled.reserve(size);
   for (std::size_t i = 0; i < size; ++i) settled.emplace_back(cases[i], truths[i]);
@@ -158,9 +163,10 @@ void judge_portion(const Plan& plan, const Group& group, std::span<const Case> c
           wrong || i < close ? part.margin(plan, settled[i]) : Judgement::unmeasured;
       if (i < close) part.tally.curve.add(margin, wrong);
       part.tally.add(settled[i], answers[i], judgement, first + i, margin);
-      if (part.is_suspect(judgement)) part.suspects.push_back({first + i, answers[i], judgement});
+      if (plan.causes && part.is_suspect(judgement))
+        part.suspects.push_back({first + i, answers[i], judgement});
     }
-    prove_portion(cases.first(close), settled, first, part);
+    if (plan.causes) prove_portion(cases.first(close), settled, first, part);
   }
 }
 
@@ -233,7 +239,7 @@ std::vector<Audit> planned(const Plan& plan) {
 
 std::vector<Audit> run(const Plan& plan, const std::function<void(Progress)>& tell) {
   std::vector<Audit> audits = planned(plan);
-  const std::vector<Group> groups = grouped(audits);
+  const std::vector<Group> groups = grouped(plan, audits);
   std::vector<SharedTally> shared(audits.size());
   const std::uint64_t chunks = (plan.cases + chunk_cases - 1) / chunk_cases;
   Teller teller(plan.cases * audits.size(), tell);
@@ -250,10 +256,11 @@ std::vector<Audit> run(const Plan& plan, const std::function<void(Progress)>& te
     });
   });
   for (std::size_t i = 0; i < audits.size(); ++i) audits[i].tally = std::move(shared[i].tally);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, audits.size(),
-                      [&](std::size_t i) { look_into_worst(plan, audits[i]); });
-  });
+  if (plan.causes)
+    arena.execute([&] {
+      tbb::parallel_for(std::size_t{0}, audits.size(),
+                        [&](std::size_t i) { look_into_worst(plan, audits[i]); });
+    });
   teller.end();
   return audits;
 }

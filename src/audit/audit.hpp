@@ -28,6 +28,11 @@ struct Plan {
   /// margins and proofs of the first close_a_chunk, and the causes of replays_a_chunk wrong
   /// answers.
   bool thorough = false;
+  /// Draw all cases in this format, whatever the subjects' own.
+  std::optional<Format> drawn_in = {};
+  /// Look for the causes of wrong answers, and prove right ones? Else only verdicts, errors and
+  /// margins are wanted.
+  bool causes = true;
   int threads = 0;  ///< 0: one for each processor
 };
 

@@ -61,7 +61,7 @@ void require_known(std::string_view what, const std::string& pattern, const List
 
 void require_known_names(const Bound& bound) {
   std::vector<std::string_view> subjects, ids;
-  for (const Subject& subject : built_in_subjects()) subjects.push_back(subject.name);
+  for (const Subject& subject : all_subjects()) subjects.push_back(subject.name);
   for (const Family& family : families()) ids.push_back(family.id);
   require_known("subject", bound.subject, subjects);
   require_known("shape", bound.shape, shape_names);

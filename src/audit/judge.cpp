@@ -140,9 +140,10 @@ Vec3<Real> point_of(const Case& question, const Answer& answer, const Format& fo
   return point_in<long double>(question.ray, answer.t);
 }
 
-/// Where the rounded point of a hit lies.
+/// Where the rounded point of a hit lies; not measured in formats wider than a long double.
 void measure_point(Judgement& judgement, Settled& settled, const Answer& answer,
                    const Format& format) {
+  if (format.precision > long_double_format.precision) return;  // no number here to round it in
   const Case& question = settled.question();
   const Vec3<Real> point = point_of(question, answer, format);
   if (!is_finite(point.x) || !is_finite(point.y) || !is_finite(point.z)) return;
@@ -172,8 +173,11 @@ void measure(Judgement& judgement, Settled& settled, const Answer& answer, const
   if (sign(off) != 0 && sign(exact) != 0) judgement.relative = ratio(off, exact);
   if (crossing.kind != Kind::within) {
     const Real& forced = settled.sensitivity(judgement.crossing).forced;
-    if (is_finite(forced))
+    if (is_finite(forced)) {
       judgement.forced = std::ldexp(ratio(off, forced), -format.unit_exponent());
+      judgement.condition =
+          scaled(forced, spacing_exponent(exact, format) - format.unit_exponent());
+    }
   }
   measure_point(judgement, settled, answer, format);
 }

@@ -137,6 +137,7 @@ void Tally::add(const Settled& settled, const Answer& answer, const Judgement& j
   ulps.add(judgement.ulps);
   forced.add(judgement.forced);
   distance.add(judgement.distance);
+  condition.add(judgement.condition);
   Outcome& here = outcome(judgement.verdict, judgement.claim);
   ++here.count;
   note(here.worst, severity(judgement, margin), place, settled, answer, judgement);
@@ -163,6 +164,7 @@ void Tally::merge(const Tally& other) {
   ulps.merge(other.ulps);
   forced.merge(other.forced);
   distance.merge(other.distance);
+  condition.merge(other.condition);
   for (const Outcome& theirs : other.outcomes) {
     Outcome& ours = outcome(theirs.verdict, theirs.claim);
     ours.count += theirs.count;

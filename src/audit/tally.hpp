@@ -75,7 +75,7 @@ struct Tally {
   std::array<std::uint64_t, side_count> sides = {};
   std::array<TouchCount, 7> touches = {};  ///< by oracle::Kind
   std::uint64_t by_interval = 0, by_exact = 0;
-  Histogram ulps, forced, distance;
+  Histogram ulps, forced, distance, condition;
   std::optional<Worst> worst_ulps = {}, worst_forced = {};
   MarginCurve curve;  ///< of the share that is looked into closely
   Certificate certificate;

@@ -54,10 +54,7 @@ void require_difficulty(const std::vector<Audit>& audits, int difficulty) {
 
 Plan plan_of(const AuditOptions& options) {
   Plan plan = options.plan;
-  const auto& subjects = built_in_subjects();
-  for (const std::size_t i :
-       selected("subject", options.subjects, names_of(subjects, &Subject::name)))
-    plan.subjects.push_back(&subjects[i]);
+  plan.subjects = selected_subjects(options.subjects);
   for (const std::size_t i :
        selected("family", options.families, names_of(families(), &Family::id)))
     plan.families.push_back(&families()[i]);

@@ -25,7 +25,7 @@ std::string text_of(LineFile& file) {
 /// Every audit there is.
 std::vector<Audit> every_audit() {
   Plan plan;
-  for (const Subject& subject : built_in_subjects()) plan.subjects.push_back(&subject);
+  for (const Subject& subject : all_subjects()) plan.subjects.push_back(&subject);
   for (const Family& family : families()) plan.families.push_back(&family);
   for (std::size_t shape = 0; shape < shape_count; ++shape) plan.shapes.push_back(shape);
   return planned(plan);

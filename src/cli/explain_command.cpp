@@ -181,7 +181,7 @@ std::string sentence(const oracle::Margin& margin) {
 }
 
 const Subject& known_subject(const std::string& text) {
-  const auto& subjects = built_in_subjects();
+  const auto& subjects = all_subjects();
   return subjects[place_of("subject", text, names_of(subjects, &Subject::name))];
 }
 

@@ -31,12 +31,17 @@ std::string list_shapes() { return shape_lines(std::make_index_sequence<shape_co
 
 std::string list_subjects() {
   std::string text;
-  for (const Subject& subject : built_in_subjects()) {
+  for (const Subject& subject : all_subjects()) {
     std::vector<std::size_t> shapes;
     for (std::size_t shape = 0; shape < shape_count; ++shape)
       if (subject.answers(shape)) shapes.push_back(shape);
-    text += fmt::format("{:<30}{}\n", subject.name, joined_shapes(shapes));
+    text += fmt::format("{:<32}{:<29}{}\n", subject.name, joined_shapes(shapes),
+                        subject.by_name_only ? "by name only" : "");
+    text.erase(text.find_last_not_of(" \n") + 1);
+    text += '\n';
   }
+  for (const auto& [subjects, why] : absent_subjects())
+    text += fmt::format("{:<32}not here: {}\n", subjects, why);
   return text;
 }
 

@@ -29,6 +29,10 @@ constexpr Format format_named(std::string_view name) {
 inline constexpr Format float_format = format_named<float>("float");
 inline constexpr Format double_format = format_named<double>("double");
 inline constexpr Format long_double_format = format_named<long double>("long_double");
+/// Two doubles; whole numbers of 2^-1074, as its lower one has it.
+inline constexpr Format double_double_format = {"double_double", 106, -969, 1023};
+/// IEEE 754 binary128.
+inline constexpr Format float128_format = {"float128", 113, -16382, 16383};
 
 template <class N>
 inline constexpr Format format_of = double_format;

@@ -90,6 +90,9 @@ inline bool operator<=(const DoubleDouble& a, const DoubleDouble& b) {
 inline bool operator>(const DoubleDouble& a, const DoubleDouble& b) { return b < a; }
 inline bool operator>=(const DoubleDouble& a, const DoubleDouble& b) { return b <= a; }
 
+template <>
+inline constexpr Format format_of<DoubleDouble> = double_double_format;
+
 inline Real real(const DoubleDouble& x) { return {x.high, x.low, 0, 0}; }
 
 }  // namespace rayaudit

@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,20 @@ struct Subject {
   /// Answers cases that are all of one shape: answers[i] is the answer to cases[i].
   using Batch = std::function<void(std::span<const Case>, std::span<Answer>)>;
   using ProvedBatch = std::function<void(std::span<const Case>, std::span<Proved>)>;
+  /// The same batch, and the nanoseconds that its answers took.
+  using TimedBatch = std::function<double(std::span<const Case>, std::span<Answer>)>;
 
   std::string name;
   Format format;                          ///< what it works in
   std::array<Batch, shape_count> answer;  ///< by shape; empty where it does not answer the shape
   /// The same answers in numbers with running error bounds; empty where the subject has none.
   std::array<ProvedBatch, shape_count> prove = {};
+  /// Of a subject that answers elsewhere, in another process; empty where a clock here will do.
+  std::array<TimedBatch, shape_count> timed = {};
+  /// An answer takes about so many times as long as one in double: measures take fewer cases.
+  int dear = 1;
+  /// Is it left out of an audit that names no subjects?
+  bool by_name_only = false;
 
   bool answers(std::size_t shape) const { return answer[shape] != nullptr; }
 
@@ -38,11 +47,26 @@ struct Subject {
   const Format& drawn_in() const { return format == float_format ? float_format : double_format; }
 };
 
+/// A subject that cannot answer: its module is missing or breaks off. What is told is a sentence.
+struct NoAnswer : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// Answers cases of any mix of shapes that the subject answers.
 void answer_mixed(const Subject& subject, std::span<const Case> cases, std::span<Answer> answers);
 Answer answer_one(const Subject& subject, const Case& question);
 
-/// Every routine in every number it is instantiated in: float, double and long double.
+/// Every routine in float, double and long double, and the certified ones.
 const std::vector<Subject>& built_in_subjects();
+
+/// Every subject there is: the built-in ones, then those that are asked for by name only.
+const std::vector<Subject>& all_subjects();
+
+/// Subjects that this build or this place does not have.
+struct Absent {
+  std::string subjects;  ///< a name, or a glob for many
+  std::string why;       ///< a sentence
+};
+std::vector<Absent> absent_subjects();
 
 }  // namespace rayaudit

@@ -68,7 +68,8 @@ template <class Routine, class N, template <class> class S>
 void add_batch(Subject& subject, std::size_t shape, const S<double>*) {
   if constexpr (std::invocable<const Routine&, const Ray<N>&, const S<N>&>) {
     subject.answer[shape] = answer_batch<Routine, N, S<double>>;
-    subject.prove[shape] = prove_batch<Routine, N, S<double>>;
+    if constexpr (std::is_floating_point_v<N>)  // those have running bounds
+      subject.prove[shape] = prove_batch<Routine, N, S<double>>;
   }
 }
 
