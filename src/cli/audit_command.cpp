@@ -134,9 +134,10 @@ std::string write_observed(const AuditOptions& options, const std::vector<Audit>
 
 /// What is asked for: the table where there is nothing else for standard output.
 std::vector<ReportOrder> orders_of(const AuditOptions& options) {
-  if (!options.reports.empty()) return read_report_orders(options.reports);
+  const auto names = names_of(reports(), &ReportOf<Run>::name);
+  if (!options.reports.empty()) return read_report_orders(options.reports, names);
   if (options.written_bounds == "-") return {};
-  return read_report_orders({"table"});
+  return read_report_orders({"table"}, names);
 }
 
 /// Where the observed bounds go, as the places of reports are told, if anywhere.
@@ -158,10 +159,7 @@ int audit(const AuditOptions& options) {
   const Run run = {RAYAUDIT_VERSION, plan, audits, environment()};
   // Standard output comes last: where its reader has gone, the files are there.
   for (const bool to_stdout : {false, true}) {
-    for (const ReportOrder& order : orders)
-      if (order.file.empty() == to_stdout)
-        deliver(order.file,
-                order.report->write(run, {to_stdout && is_colour_welcome(), options.all_findings}));
+    deliver(orders, reports(), run, {.everything = options.all_findings}, to_stdout);
     if (observed_to && observed_to->empty() == to_stdout)
       deliver(*observed_to, write_observed(options, audits));
   }

@@ -71,11 +71,9 @@ void require_writable(const std::string& file) {
   unlink(draft_of(place).c_str());
 }
 
-ReportOrder read_report_order(std::string_view text) {
+ReportOrder read_report_order(std::string_view text, std::span<const std::string_view> names) {
   const std::size_t equals = text.find('=');
-  const std::size_t report =
-      place_of("report", text.substr(0, equals), names_of(reports(), &Report::name));
-  ReportOrder order = {&reports()[report], ""};
+  ReportOrder order = {place_of("report", text.substr(0, equals), names), ""};
   if (equals == text.npos) return order;
   order.file = text.substr(equals + 1);
   if (order.file.empty())
@@ -86,10 +84,11 @@ ReportOrder read_report_order(std::string_view text) {
 
 }  // namespace
 
-std::vector<ReportOrder> read_report_orders(const std::vector<std::string>& texts) {
+std::vector<ReportOrder> read_report_orders(const std::vector<std::string>& texts,
+                                            std::span<const std::string_view> names) {
   std::vector<ReportOrder> orders;
   orders.reserve(texts.size());
-  for (const std::string& text : texts) orders.push_back(read_report_order(text));
+  for (const std::string& text : texts) orders.push_back(read_report_order(text, names));
   return orders;
 }
 
@@ -103,6 +102,13 @@ void require_places(const std::vector<std::string>& files) {
                         : "two reports to the file `" + *file + "`");
   for (const std::string& file : files)
     if (!file.empty()) require_writable(file);
+}
+
+void require_places(const std::vector<ReportOrder>& orders) {
+  std::vector<std::string> files;
+  files.reserve(orders.size());
+  for (const ReportOrder& order : orders) files.push_back(order.file);
+  require_places(files);
 }
 
 void deliver(const std::string& file, const std::string& text) {

@@ -3,23 +3,17 @@
 
 #include "audit/finding.hpp"
 #include "reports/explain_line.hpp"
+#include "reports/json.hpp"
 #include "reports/report.hpp"
 
 namespace rayaudit {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using namespace json;
 
 template <class E>
 E nth(std::size_t i) {
   return static_cast<E>(i);
-}
-
-/// JSON has no infinity and no NaN: they become "inf" and null.
-Json number(double x) {
-  if (std::isnan(x)) return nullptr;
-  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
-  return x;
 }
 
 /// Largest and quantiles of errors; null where nothing was measured.
@@ -171,13 +165,6 @@ Json told(const Finding& finding) {
           {"example", answered_line(finding.example)}};
 }
 
-Json told(const Environment& environment) {
-  return {{"compiler", environment.compiler},       {"flags", environment.flags},
-          {"processor", environment.processor},     {"processors", environment.processors},
-          {"contraction", environment.contraction}, {"flush_to_zero", environment.flush_to_zero},
-          {"rounding", environment.rounding}};
-}
-
 Json told(const Convention& convention) {
   constexpr std::string_view stances[] = {"either", "hit", "miss"};
   Json told = Json::object();
@@ -208,7 +195,7 @@ Json list(const List& of) {
 std::string write_json(const Run& run, const Look&) {
   const Plan& plan = run.plan;
   const Json report = {{"schema", 1},
-                       {"tool", {{"name", "rayaudit"}, {"version", run.version}}},
+                       {"tool", tool(run.version)},
                        {"seed", plan.seed},
                        {"cases", plan.cases},
                        {"difficulty", plan.difficulty ? Json(*plan.difficulty) : Json(nullptr)},
@@ -218,8 +205,7 @@ std::string write_json(const Run& run, const Look&) {
                        {"environment", told(run.environment)},
                        {"audits", list(run.audits)},
                        {"findings", list(findings(run.audits))}};
-  // Bytes that are no UTF-8, in the name of a subject, must not stop the report.
-  return report.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+  return written(report);
 }
 
 }  // namespace rayaudit

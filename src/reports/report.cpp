@@ -3,15 +3,22 @@
 namespace rayaudit {
 namespace {
 
-constexpr Report table[] = {
+constexpr ReportOf<Run> of_audits[] = {
     {"table", "for people: what is wrong of each subject, and the findings, worst first",
      write_table},
     {"json", "for programs: everything, with the worst case of each kind", write_json},
     {"csv", "for spreadsheets: a row for each subject, shape and family", write_csv},
 };
 
+constexpr ReportOf<CostRun> of_costs[] = {
+    {"table", "for people: the front of each shape, and what its next steps cost",
+     write_cost_table},
+    {"json", "for programs: every way on every shape and family", write_cost_json},
+};
+
 }  // namespace
 
-std::span<const Report> reports() { return table; }
+std::span<const ReportOf<Run>> reports() { return of_audits; }
+std::span<const ReportOf<CostRun>> cost_reports() { return of_costs; }
 
 }  // namespace rayaudit

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "audit/audit.hpp"
+#include "audit/cost.hpp"
 #include "audit/environment.hpp"
 
 namespace rayaudit {
@@ -19,23 +20,36 @@ struct Run {
   Environment environment;
 };
 
+/// A measurement that is over: what every way to answer costs.
+struct CostRun {
+  std::string version;
+  const CostPlan& plan;
+  const Cost& cost;
+  Environment environment;
+};
+
 /// How the report for people is to look; the others pay no heed to it.
 struct Look {
-  bool colour = false;        ///< with ANSI escape codes
-  bool all_findings = false;  ///< not only the worst of them
+  bool colour = false;      ///< with ANSI escape codes
+  bool everything = false;  ///< not only the worst findings, not only the ways on the front
+  bool families = false;    ///< of costs: each family alone too
 };
 
 std::string write_table(const Run& run, const Look& look);
 std::string write_json(const Run& run, const Look& look);
 std::string write_csv(const Run& run, const Look& look);
+std::string write_cost_table(const CostRun& run, const Look& look);
+std::string write_cost_json(const CostRun& run, const Look& look);
 
-/// A format that findings are written down in; whole, with the end of its last line.
-struct Report {
+/// A format that something made is written down in; whole, with the end of its last line.
+template <class Made>
+struct ReportOf {
   std::string_view name, about;
-  std::string (*write)(const Run& run, const Look& look);
+  std::string (*write)(const Made& made, const Look& look);
 };
 
-/// Every report there is. A new one is a function and a row in this list.
-std::span<const Report> reports();
+/// Every report there is. A new one is a function and a row in its list.
+std::span<const ReportOf<Run>> reports();
+std::span<const ReportOf<CostRun>> cost_reports();
 
 }  // namespace rayaudit

@@ -9,6 +9,7 @@
 #include "reports/ink.hpp"
 #include "reports/limits.hpp"
 #include "reports/report.hpp"
+#include "reports/surroundings.hpp"
 #include "reports/touches.hpp"
 #include "reports/wrapped.hpp"
 
@@ -236,17 +237,6 @@ std::string legend(const Plan& plan, bool each_family) {
       0);
 }
 
-std::string surroundings(const Environment& environment) {
-  return wrapped(
-      fmt::format("Found where it ran: rounding {}, {} contraction, {}; compiled by {} with {}; {} "
-                  "(runs {} threads at once)",
-                  environment.rounding, environment.contraction ? "with" : "no",
-                  environment.flush_to_zero ? "flushes to zero" : "no flush to zero",
-                  environment.compiler, environment.flags, environment.processor,
-                  environment.processors),
-      0);
-}
-
 std::string summary(const Run& run, const Ink& ink) {
   std::uint64_t cases = 0, wrong = 0, holding = 0, valid = 0, by_exact = 0, decided = 0;
   for (const auto& [subject, family, shape, tally, most_ulps] : run.audits) {
@@ -298,7 +288,7 @@ std::string write_table(const Run& run, const Look& look) {
   }
   const std::string touches = write_touches(run, ink);
   if (!touches.empty()) text += touches + '\n';
-  text += write_findings(run, ink, look.all_findings) + '\n';
+  text += write_findings(run, ink, look.everything) + '\n';
   text += write_limits(run, ink) + '\n';
   if (!each_family) text += holding(run, ink) + '\n';
   return text + surroundings(run.environment) + bounds(run, ink) + summary(run, ink);

@@ -65,7 +65,7 @@ HandMade crowded(std::size_t families) {
 
 BOOST_AUTO_TEST_CASE(it_fits_the_page_but_for_case_lines) {
   for (const std::size_t families : {3, 30})
-    for (const std::string& line : lines(table(crowded(families), {.all_findings = true})))
+    for (const std::string& line : lines(table(crowded(families), {.everything = true})))
       BOOST_TEST((line.size() <= 120 || line.starts_with(explain)), line);
 }
 
@@ -280,7 +280,7 @@ BOOST_AUTO_TEST_CASE(only_the_worst_findings_are_shown_and_the_rest_counted_or_a
     made.subjects[i].name = "r" + std::string(1, static_cast<char>('a' + i)) + "/float";
   BOOST_TEST(count(table(made), explain) == 20);
   BOOST_TEST(tells(table(made), "\n5 more, less severe: --all-findings shows them.\n"));
-  BOOST_TEST(count(table(made, {.all_findings = true}), explain) == 25);
+  BOOST_TEST(count(table(made, {.everything = true}), explain) == 25);
 }
 
 BOOST_AUTO_TEST_CASE(touches_tell_what_was_taken_for_a_hit) {

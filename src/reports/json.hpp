@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "audit/environment.hpp"
+
+/// What all reports in JSON have in common.
+namespace rayaudit::json {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no infinity and no NaN: they become "inf" and null.
+inline Json number(double x) {
+  if (std::isnan(x)) return nullptr;
+  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
+  return x;
+}
+
+inline Json told(const Environment& environment) {
+  return {{"compiler", environment.compiler},       {"flags", environment.flags},
+          {"processor", environment.processor},     {"processors", environment.processors},
+          {"contraction", environment.contraction}, {"flush_to_zero", environment.flush_to_zero},
+          {"rounding", environment.rounding}};
+}
+
+inline Json tool(const std::string& version) {
+  return {{"name", "rayaudit"}, {"version", version}};
+}
+
+/// The text of a report. Bytes that are no UTF-8, in the name of a subject, must not stop it.
+inline std::string written(const Json& report) {
+  return report.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace rayaudit::json

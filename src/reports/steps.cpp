@@ -1,0 +1,77 @@
+#include "reports/steps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "reports/figures.hpp"
+
+namespace rayaudit {
+namespace {
+
+using figures::grouped;
+using figures::magnitude;
+
+/// A count per million as a whole number, or as `< 1` where it is one of more than a million.
+std::string whole(double per_million) {
+  if (per_million > 0 && per_million < 0.5) return "< 1";
+  return grouped(static_cast<std::uint64_t>(per_million + 0.5));
+}
+
+/// The wrong verdict that a step does most about.
+Verdict most_mended(const Step& step) {
+  constexpr std::array wrong = {Verdict::false_hit, Verdict::false_miss, Verdict::wrong_root,
+                                Verdict::wrong_t, Verdict::not_finite};
+  const auto less = [&](Verdict verdict) {
+    return step.from->accuracy.per_million(verdict) - step.to->accuracy.per_million(verdict);
+  };
+  return *std::ranges::max_element(wrong, {}, less);
+}
+
+std::string plural(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::false_hit:
+      return "false hits";
+    case Verdict::false_miss:
+      return "false misses";
+    case Verdict::wrong_root:
+      return "wrong roots";
+    case Verdict::wrong_t:
+      return "wrong t";
+    default:
+      return "t that are not finite";
+  }
+}
+
+std::string error(const Accuracy& accuracy) {
+  return std::isnan(accuracy.error) ? "no t" : magnitude(accuracy.error);
+}
+
+}  // namespace
+
+std::string per_million(const Accuracy& accuracy) {
+  if (accuracy.wrong == 0)
+    return fmt::format("0, < {}", whole(3e6 / static_cast<double>(accuracy.cases)));
+  return whole(1e6 * accuracy.share());
+}
+
+std::string told(const Step& step) {
+  const auto& [from, to, times] = step;
+  std::string text = fmt::format("from {} to {}: {:.3g} times the time ({:.3g} to {:.3g})",
+                                 from->subject->name, to->subject->name, times.median, times.low,
+                                 times.high);
+  const double before = 1e6 * from->accuracy.share(), after = 1e6 * to->accuracy.share();
+  if (before != after) {
+    text += fmt::format(", wrong {} to {} per million", whole(before), whole(after));
+    const Verdict mended = most_mended(step);
+    text += fmt::format(" ({} {} to {})", plural(mended), whole(from->accuracy.per_million(mended)),
+                        whole(to->accuracy.per_million(mended)));
+  } else {
+    text += fmt::format(", worst error {} to {} ulps of float", error(from->accuracy),
+                        error(to->accuracy));
+  }
+  return text;
+}
+
+}  // namespace rayaudit
