@@ -197,7 +197,7 @@ void look_into_worst(const Plan& plan, Audit& audit) {
   };
   for (Outcome& outcome : audit.tally.outcomes)
     if (is_wrong(outcome.verdict)) look_into(*outcome.worst);
-  for (auto* worst : {&audit.tally.worst_ulps, &audit.tally.worst_forced})
+  for (auto* worst : {&audit.tally.worst_ulps, &audit.tally.worst_forced, &audit.tally.worst_own})
     if (!plan.bounds.empty() && *worst) look_into(**worst);
 }
 

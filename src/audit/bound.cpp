@@ -45,6 +45,8 @@ const Worst* worst_forced(const Tally& tally) {
   return tally.worst_forced ? &*tally.worst_forced : nullptr;
 }
 
+const Worst* worst_own(const Tally& tally) { return tally.worst_own ? &*tally.worst_own : nullptr; }
+
 const Worst* widest(const Tally& tally) { return tally.widest(); }
 
 std::vector<std::string> words_of(std::string_view line) {
@@ -188,6 +190,7 @@ std::span<const Quantity> quantities() {
       count_of<Verdict::invalid_mishandled>(),
       Quantity{"max_ulp", false, severity<worst_ulps>, worst_ulps},
       Quantity{"max_forced", false, severity<worst_forced>, worst_forced},
+      Quantity{"max_own", false, severity<worst_own>, worst_own},
       Quantity{"wrong_margin", false, severity<widest>, widest}};
   return all;
 }

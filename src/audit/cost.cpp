@@ -105,7 +105,7 @@ class Measurement {
       for (const Audit& audit : audits) {
         done_ += audit.tally.cases;
         accuracies_[{audit.subject, audit.shape, audit.family}].add(audit.tally,
-                                                                   audit.subject->format);
+                                                                    audit.subject->format);
       }
     } catch (const NoAnswer& why) {
       if (subjects.size() == 1) return drop(subjects.front(), why);

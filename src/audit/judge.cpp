@@ -175,6 +175,7 @@ void measure(Judgement& judgement, Settled& settled, const Answer& answer, const
     const Real& forced = settled.sensitivity(judgement.crossing).forced;
     if (is_finite(forced)) {
       judgement.forced = std::ldexp(ratio(off, forced), -format.unit_exponent());
+      judgement.own = std::fmin(judgement.forced, judgement.ulps);
       judgement.condition =
           scaled(forced, spacing_exponent(exact, format) - format.unit_exponent());
     }

@@ -71,9 +71,11 @@ struct Judgement {
   /// The crossing that t was held against: its place in the truth's list, or -1.
   int crossing = -1;
   /// Of hits judged right, wrong_t or touch; else unmeasured.
-  double ulps = unmeasured;       ///< error of t in ulps of the subject's format at the exact t
-  double relative = unmeasured;   ///< |t - exact| / |exact|
-  double forced = unmeasured;     ///< error in units of what rounding the inputs once would do to t
+  double ulps = unmeasured;      ///< error of t in ulps of the subject's format at the exact t
+  double relative = unmeasured;  ///< |t - exact| / |exact|
+  double forced = unmeasured;    ///< error in units of what rounding the inputs once would do to t
+  /// Error in units of the larger of that and an ulp: what no rounding of case or answer excuses.
+  double own = unmeasured;
   double condition = unmeasured;  ///< what that unit is in ulps, however large the error
   double distance =
       unmeasured;  ///< of the rounded point to the surface, ulps of its largest coordinate

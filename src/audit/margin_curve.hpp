@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace rayaudit {
 
@@ -29,6 +30,17 @@ class MarginCurve {
       steps_[i].cases += other.steps_[i].cases;
       steps_[i].wrong += other.steps_[i].wrong;
     }
+  }
+  /// The least exponent with at least the share p of all cases at or below it; nothing where there
+  /// are none.
+  std::optional<int> quantile(double p) const {
+    std::uint64_t all = 0, seen = 0;
+    for (const Step& step : steps_) all += step.cases;
+    if (all == 0) return {};
+    int exponent = least;
+    while (static_cast<double>(seen += at(exponent).cases) < p * static_cast<double>(all))
+      ++exponent;
+    return exponent;
   }
   /// The cases with a margin from 2^exponent to 2^(exponent + 1).
   const Step& at(int exponent) const { return steps_[exponent - least]; }

@@ -136,6 +136,7 @@ void Tally::add(const Settled& settled, const Answer& answer, const Judgement& j
     ++(settled.truth().stage == oracle::Stage::interval ? by_interval : by_exact);
   ulps.add(judgement.ulps);
   forced.add(judgement.forced);
+  own.add(judgement.own);
   distance.add(judgement.distance);
   condition.add(judgement.condition);
   Outcome& here = outcome(judgement.verdict, judgement.claim);
@@ -145,6 +146,7 @@ void Tally::add(const Settled& settled, const Answer& answer, const Judgement& j
     note(worst_ulps, judgement.ulps, place, settled, answer, judgement);
   if (!std::isnan(judgement.forced))
     note(worst_forced, judgement.forced, place, settled, answer, judgement);
+  if (!std::isnan(judgement.own)) note(worst_own, judgement.own, place, settled, answer, judgement);
   if (answer.stage > 0) ++stages[answer.stage];
 }
 
@@ -163,6 +165,7 @@ void Tally::merge(const Tally& other) {
   by_exact += other.by_exact;
   ulps.merge(other.ulps);
   forced.merge(other.forced);
+  own.merge(other.own);
   distance.merge(other.distance);
   condition.merge(other.condition);
   for (const Outcome& theirs : other.outcomes) {
@@ -176,6 +179,7 @@ void Tally::merge(const Tally& other) {
   add_all(stages, other.stages);
   if (other.worst_ulps) keep_worse(worst_ulps, *other.worst_ulps);
   if (other.worst_forced) keep_worse(worst_forced, *other.worst_forced);
+  if (other.worst_own) keep_worse(worst_own, *other.worst_own);
 }
 
 }  // namespace rayaudit

@@ -75,8 +75,8 @@ struct Tally {
   std::array<std::uint64_t, side_count> sides = {};
   std::array<TouchCount, 7> touches = {};  ///< by oracle::Kind
   std::uint64_t by_interval = 0, by_exact = 0;
-  Histogram ulps, forced, distance, condition;
-  std::optional<Worst> worst_ulps = {}, worst_forced = {};
+  Histogram ulps, forced, own, distance, condition;
+  std::optional<Worst> worst_ulps = {}, worst_forced = {}, worst_own = {};
   MarginCurve curve;  ///< of the share that is looked into closely
   Certificate certificate;
   std::array<std::uint64_t, 4> stages = {};  ///< of a subject that works in stages, from 1

@@ -169,16 +169,11 @@ int audit(const AuditOptions& options) {
 }
 
 void add_names(CLI::App& command, const std::shared_ptr<AuditOptions>& options) {
-  command.add_option("SUBJECT", options->subjects, "names or globs, as textbook/* or '*/float'")
-      ->type_name("");
-  const auto add_list = [&](const char* name, std::vector<std::string>& texts, const char* value,
-                            const char* about) {
-    return command.add_option(name, texts, about)->type_name(value)->allow_extra_args(false);
-  };
-  add_list("--shape", options->shapes, "SHAPE,...", "names or globs")->delimiter(',');
-  add_list("--family", options->families, "FAMILY,...", "names or globs")->delimiter(',');
-  add_list("--report", options->reports, "FORMAT[=FILE]",
-           "table (the default), json or csv; may be repeated, but one at most to stdout");
+  add_subjects_and_shapes(command, options->subjects, options->shapes);
+  add_list(command, "--family", "FAMILY,...", "names or globs", options->families)->delimiter(',');
+  add_list(command, "--report", "FORMAT[=FILE]",
+           "table (the default), json, csv or html; may be repeated, but one at most to stdout",
+           options->reports);
 }
 
 void add_numbers(CLI::App& command, const std::shared_ptr<AuditOptions>& options) {
@@ -212,12 +207,10 @@ void add_judgement(CLI::App& command, const std::shared_ptr<AuditOptions>& optio
 }
 
 void add_bounds(CLI::App& command, const std::shared_ptr<AuditOptions>& options) {
-  command
-      .add_option("--bounds", options->bounds,
-                  "exit 1 where a row of the file is broken; only what its rows name is audited; "
-                  "may be repeated")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+  add_list(command, "--bounds", "FILE",
+           "exit 1 where a row of the file is broken; only what its rows name is audited; may be "
+           "repeated",
+           options->bounds);
   CLI::Option* written = add_option(command, "--write-bounds", "FILE",
                                     "write what is observed as such rows; - is standard output",
                                     [=](const std::string& file) {

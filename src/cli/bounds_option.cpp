@@ -11,6 +11,7 @@
 #include "cli/lines.hpp"
 #include "reports/explain_line.hpp"
 #include "reports/figures.hpp"
+#include "reports/promise.hpp"
 
 namespace rayaudit {
 namespace {
@@ -31,25 +32,16 @@ std::vector<Audit> every_audit() {
   return planned(plan);
 }
 
-/// In six digits where these are the number, as 1.2e+07, else in as many as it takes.
-std::string told(double most) {
-  const std::string text = fmt::format("{:g}", most);
-  return std::strtod(text.c_str(), nullptr) == most ? text : fmt::format("{}", most);
-}
-
 /// The limits of a bound, and whether it is proved.
-std::string promise(const Bound& bound) {
-  std::string text;
-  for (const Limit& limit : bound.limits)
-    (text += ' ').append(limit.quantity->name) += ' ' + told(limit.most);
-  return text + (bound.proved ? " proved" : " observed");
+std::string whole_promise(const Bound& bound) {
+  return ' ' + promise(bound.limits) + (bound.proved ? " proved" : " observed");
 }
 
 /// What was seen of a quantity: never so rounded that it would seem to be within the limit.
 std::string seen(const Broken& broken) {
   if (!broken.limit.quantity->is_count) {
     const std::string text = fmt::format("{:.3g}", broken.seen);
-    return std::strtod(text.c_str(), nullptr) > broken.limit.most ? text : told(broken.seen);
+    return std::strtod(text.c_str(), nullptr) > broken.limit.most ? text : promise(broken.seen);
   }
   return fmt::format("{} of {} cases", figures::grouped(static_cast<std::uint64_t>(broken.seen)),
                      figures::grouped(broken.audit->tally.cases));
@@ -85,7 +77,7 @@ std::vector<Bound> read_bounds_file(const std::string& path) {
 }
 
 std::string row(const Bound& bound) {
-  return bound.subject + ' ' + bound.shape + ' ' + bound.family + promise(bound);
+  return bound.subject + ' ' + bound.shape + ' ' + bound.family + whole_promise(bound);
 }
 
 std::string write_bounds(const std::vector<Bound>& bounds, const std::vector<std::string>& head) {
@@ -100,7 +92,7 @@ std::string write_bounds(const std::vector<Bound>& bounds, const std::vector<std
   }
   for (const Bound& bound : bounds)
     text += fmt::format("{:<{}} {:<{}} {:<{}}{}\n", bound.subject, subject, bound.shape, shape,
-                        bound.family, family, promise(bound));
+                        bound.family, family, whole_promise(bound));
   return text;
 }
 
@@ -120,8 +112,17 @@ std::string told(const Broken& broken, const Convention& convention) {
       "{}: `{}` is broken by {} on {}, family {}: {} is {}, more than {}; cause: "
       "{}: {}",
       bound->place, row(*bound), audit->subject->name, shape_names[audit->shape], audit->family->id,
-      limit.quantity->name, seen(broken), told(limit.most), told(worst->diagnosis),
+      limit.quantity->name, seen(broken), promise(limit.most), told(worst->diagnosis),
       explain_line(*worst, *audit->subject, convention));
+}
+
+std::string told(const Break& broken, const Climb& climb, const Family& family) {
+  const auto& [k, bound, limit, seen, worst] = broken;
+  return fmt::format(
+      "{}: `{}` is broken by {} on {}, family {} at k = {}: {} is {}, more than {}: {}",
+      bound.place, row(bound), climb.subject->name, shape_names[climb.shape], family.id, k,
+      limit.quantity->name, figures::magnitude(seen), promise(limit.most),
+      explain_line(worst, *climb.subject));
 }
 
 }  // namespace rayaudit

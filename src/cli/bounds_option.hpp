@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "audit/audit.hpp"
+#include "audit/ladder.hpp"
 
 namespace CLI {
 class App;
@@ -26,5 +27,6 @@ std::string command_text(const CLI::App& command);
 
 /// What is broken by whom, what was seen, and the command that shows it, in one sentence.
 std::string told(const Broken& broken, const Convention& convention);
+std::string told(const Break& broken, const Climb& climb, const Family& family);
 
 }  // namespace rayaudit

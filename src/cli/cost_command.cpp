@@ -1,7 +1,6 @@
-#include "audit/cost.hpp"
-
 #include <fmt/format.h>
 
+#include "audit/cost.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/names.hpp"
@@ -72,17 +71,13 @@ int cost(const CostOptions& options) {
 }
 
 void add_names(CLI::App& command, const std::shared_ptr<CostOptions>& options) {
-  command.add_option("SUBJECT", options->subjects, "names or globs, as textbook/* or '*/float'")
-      ->type_name("");
-  const auto add_list = [&](const char* name, std::vector<std::string>& texts, const char* value,
-                            const char* about) {
-    return command.add_option(name, texts, about)->type_name(value)->allow_extra_args(false);
-  };
-  add_list("--shape", options->shapes, "SHAPE,...", "names or globs")->delimiter(',');
-  add_list("--family", options->families, "FAMILY,...", "names or globs; else all but invalid")
+  add_subjects_and_shapes(command, options->subjects, options->shapes);
+  add_list(command, "--family", "FAMILY,...", "names or globs; else all but invalid",
+           options->families)
       ->delimiter(',');
-  add_list("--report", options->reports, "FORMAT[=FILE]",
-           "table (the default), json or html; may be repeated, but one at most to stdout");
+  add_list(command, "--report", "FORMAT[=FILE]",
+           "table (the default), json or html; may be repeated, but one at most to stdout",
+           options->reports);
 }
 
 void add_numbers(CLI::App& command, const std::shared_ptr<CostOptions>& options) {

@@ -65,8 +65,7 @@ std::string list_families() {
 
 std::string list_reports() {
   std::string text;
-  for (const auto& report : reports())
-    text += fmt::format("{:<10}{}\n", report.name, report.about);
+  for (const auto& report : reports()) text += fmt::format("{:<10}{}\n", report.name, report.about);
   return text;
 }
 

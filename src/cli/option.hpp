@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "cli/whole_number.hpp"
 
@@ -21,6 +22,20 @@ inline CLI::Option* add_number(CLI::App& command, const char* name, const char* 
                                const std::function<void(std::int64_t)>& take) {
   return add_option(command, name, "N", about,
                     [=](const std::string& text) { take(whole_number(name, text, least, most)); });
+}
+
+/// Adds an option `--name VALUE` that may be repeated.
+inline CLI::Option* add_list(CLI::App& command, const char* name, const char* value,
+                             const char* about, std::vector<std::string>& texts) {
+  return command.add_option(name, texts, about)->type_name(value)->allow_extra_args(false);
+}
+
+/// Adds what to choose from subjects and shapes, by names or globs.
+inline void add_subjects_and_shapes(CLI::App& command, std::vector<std::string>& subjects,
+                                    std::vector<std::string>& shapes) {
+  command.add_option("SUBJECT", subjects, "names or globs, as textbook/* or '*/float'")
+      ->type_name("");
+  add_list(command, "--shape", "SHAPE,...", "names or globs", shapes)->delimiter(',');
 }
 
 }  // namespace rayaudit

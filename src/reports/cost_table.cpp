@@ -47,10 +47,10 @@ std::string legend(const Look& look) {
 }
 
 std::string heading(const Cell& cell, std::size_t families, const Ink& ink) {
-  const std::string of =
-      cell.scope == Scope::family ? fmt::format("family {}", cell.family->id)
-      : cell.scope == Scope::all  ? fmt::format("{} families", families)
-                                  : fmt::format("the {} {} families", families, name(cell.scope));
+  const std::string of = cell.scope == Scope::family ? fmt::format("family {}", cell.family->id)
+                         : cell.scope == Scope::all
+                             ? fmt::format("{} families", families)
+                             : fmt::format("the {} {} families", families, name(cell.scope));
   return ink.heading(fmt::format("{:<34}", fmt::format("{}, {}", shape_names[cell.shape], of))) +
          fmt::format("{:>7}{:>14}{:>12}{:>9}{:>9}{:>8}{:>8}{:>8}{:>8}{:>6}\n", "ns", "quartiles",
                      "wrong", "f. hits", "f. miss", "margin", "ulp", "forced", "error", "hard");
@@ -74,7 +74,10 @@ std::string row(const Way& way, const Price* price, const Look& look, const Ink&
   const std::string wrong = fmt::format("{:>12}", per_million(accuracy));
   const std::string text = fmt::format(
       "  {}{:<30}{:>7}{:>14}{}{:>9}{:>9}{:>8}{:>8}{:>8}{:>8}{:>6}",
-      !look.everything ? "  " : way.on_front ? "* " : "  ", way.subject->name, nanoseconds(median),
+      !look.everything ? "  "
+      : way.on_front   ? "* "
+                       : "  ",
+      way.subject->name, nanoseconds(median),
       fmt::format("{}-{}", nanoseconds(low), nanoseconds(high)),
       accuracy.wrong == 0 ? ink.good(wrong) : ink.bad(wrong), verdicts(Verdict::false_hit),
       verdicts(Verdict::false_miss), magnitude(accuracy.wrong_margin), magnitude(accuracy.ulps),

@@ -1,9 +1,10 @@
+#include "reports/json.hpp"
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "audit/finding.hpp"
 #include "reports/explain_line.hpp"
-#include "reports/json.hpp"
 #include "reports/report.hpp"
 
 namespace rayaudit {

@@ -16,9 +16,16 @@ constexpr ReportOf<CostRun> of_costs[] = {
     {"json", "for programs: every way on every shape and family", write_cost_json},
 };
 
+constexpr ReportOf<LadderRun> of_ladders[] = {
+    {"table", "for people: how far each subject holds, and how its errors rise",
+     write_ladder_table},
+    {"json", "for programs: every subject at every difficulty", write_ladder_json},
+};
+
 }  // namespace
 
 std::span<const ReportOf<Run>> reports() { return of_audits; }
 std::span<const ReportOf<CostRun>> cost_reports() { return of_costs; }
+std::span<const ReportOf<LadderRun>> ladder_reports() { return of_ladders; }
 
 }  // namespace rayaudit

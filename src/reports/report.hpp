@@ -8,6 +8,7 @@
 #include "audit/audit.hpp"
 #include "audit/cost.hpp"
 #include "audit/environment.hpp"
+#include "audit/ladder.hpp"
 
 namespace rayaudit {
 
@@ -28,6 +29,14 @@ struct CostRun {
   Environment environment;
 };
 
+/// A ladder that was climbed.
+struct LadderRun {
+  std::string version;
+  const LadderPlan& plan;
+  const std::vector<Climb>& climbs;
+  Environment environment;
+};
+
 /// How the report for people is to look; the others pay no heed to it.
 struct Look {
   bool colour = false;      ///< with ANSI escape codes
@@ -40,6 +49,8 @@ std::string write_json(const Run& run, const Look& look);
 std::string write_csv(const Run& run, const Look& look);
 std::string write_cost_table(const CostRun& run, const Look& look);
 std::string write_cost_json(const CostRun& run, const Look& look);
+std::string write_ladder_table(const LadderRun& run, const Look& look);
+std::string write_ladder_json(const LadderRun& run, const Look& look);
 
 /// A format that something made is written down in; whole, with the end of its last line.
 template <class Made>
@@ -51,5 +62,6 @@ struct ReportOf {
 /// Every report there is. A new one is a function and a row in its list.
 std::span<const ReportOf<Run>> reports();
 std::span<const ReportOf<CostRun>> cost_reports();
+std::span<const ReportOf<LadderRun>> ladder_reports();
 
 }  // namespace rayaudit

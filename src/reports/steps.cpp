@@ -58,9 +58,9 @@ std::string per_million(const Accuracy& accuracy) {
 
 std::string told(const Step& step) {
   const auto& [from, to, times] = step;
-  std::string text = fmt::format("from {} to {}: {:.3g} times the time ({:.3g} to {:.3g})",
-                                 from->subject->name, to->subject->name, times.median, times.low,
-                                 times.high);
+  std::string text =
+      fmt::format("from {} to {}: {:.3g} times the time ({:.3g} to {:.3g})", from->subject->name,
+                  to->subject->name, times.median, times.low, times.high);
   const double before = 1e6 * from->accuracy.share(), after = 1e6 * to->accuracy.share();
   if (before != after) {
     text += fmt::format(", wrong {} to {} per million", whole(before), whole(after));
