@@ -145,7 +145,16 @@ bool would_last(const Limit& promise, const Audit& audit, double room) {
   if (quantity->is_count) return tally.wrong() == 0 || tally.wrong() >= few;
   if (quantity->worst == widest) return true;
   return most < std::ldexp(wrong_t_limit, audit.subject->format.precision) &&
-         ends_within(room, quantity->worst == worst_ulps ? tally.ulps : tally.forced);
+         ends_within(room, quantity->worst == worst_ulps     ? tally.ulps
+                           : quantity->worst == worst_forced ? tally.forced
+                                                             : tally.own);
+}
+
+/// What is granted of a quantity of which so much was seen. Below 1 u, rounding the case excuses
+/// any wrong answer.
+double granted(const Quantity& quantity, double seen, double room) {
+  const double least = room > 1 && quantity.worst == widest ? 1 : 0;
+  return std::max(room * seen, least);
 }
 
 /// The least that can be promised of a quantity, if anything.
@@ -157,7 +166,7 @@ std::optional<Limit> least_promise(const Quantity& quantity, const Audit& audit,
   } else if (quantity.worst(tally) == nullptr || !std::isfinite(room * seen)) {
     return std::nullopt;
   }
-  const Limit promise = {&quantity, rounded_up(room * seen)};
+  const Limit promise = {&quantity, rounded_up(granted(quantity, seen, room))};
   if (room > 1 && !would_last(promise, audit, room)) return std::nullopt;
   return promise;
 }

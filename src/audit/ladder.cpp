@@ -58,7 +58,8 @@ struct Climber {
       condition.add(k, tally.condition.quantile(0.5));
     }
     if (climb.broken) return;
-    if (const auto all = broken(climb.held_to, {audit}); !all.empty())
+    const std::vector alone = {audit};  // what is broken points into it
+    if (const auto all = broken(climb.held_to, alone); !all.empty())
       climb.broken = {k, *all.front().bound, all.front().limit, all.front().seen,
                       *all.front().worst};
   }
