@@ -20,5 +20,6 @@ void add_draw_command(CLI::App& program, Command& asked);
 void add_truth_command(CLI::App& program, Command& asked);
 void add_judge_command(CLI::App& program, Command& asked);
 void add_list_command(CLI::App& program, Command& asked);
+void add_serve_module_command(CLI::App& program, Command& asked);
 
 }  // namespace rayaudit

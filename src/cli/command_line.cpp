@@ -17,9 +17,14 @@ const CLI::App& asked_of(const CLI::App& program) {
   return commands.empty() ? program : *commands.front();
 }
 
+/// The commands that a person may ask for.
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+}
+
 std::vector<std::string> known_words(const CLI::App& app) {
   std::vector<std::string> words;
-  for (const CLI::App* command : app.get_subcommands({})) words.push_back(command->get_name());
+  for (const CLI::App* command : commands_of(app)) words.push_back(command->get_name());
   for (const CLI::Option* option : app.get_options())
     for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
   return words;
@@ -38,7 +43,7 @@ std::string unknown_word(const CLI::App& app, const std::string& word) {
 
 std::string expected_command(const CLI::App& program) {
   std::string commands;
-  for (const CLI::App* command : program.get_subcommands({}))
+  for (const CLI::App* command : commands_of(program))
     commands += (commands.empty() ? "" : ", ") + command->get_name();
   return "expected a command, one of " + commands + "; `rayaudit --help` tells more";
 }
@@ -89,6 +94,7 @@ Command read_command_line(int argc, const char* const* argv) {
   add_truth_command(program, asked);
   add_judge_command(program, asked);
   add_list_command(program, asked);
+  add_serve_module_command(program, asked);
   try {
     program.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

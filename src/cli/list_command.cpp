@@ -35,13 +35,13 @@ std::string list_subjects() {
     std::vector<std::size_t> shapes;
     for (std::size_t shape = 0; shape < shape_count; ++shape)
       if (subject.answers(shape)) shapes.push_back(shape);
-    text += fmt::format("{:<32}{:<29}{}\n", subject.name, joined_shapes(shapes),
+    text += fmt::format("{:<36}{:<29}{}\n", subject.name, joined_shapes(shapes),
                         subject.by_name_only ? "by name only" : "");
     text.erase(text.find_last_not_of(" \n") + 1);
     text += '\n';
   }
   for (const auto& [subjects, why] : absent_subjects())
-    text += fmt::format("{:<32}not here: {}\n", subjects, why);
+    text += fmt::format("{:<36}not here: {}\n", subjects, why);
   return text;
 }
 

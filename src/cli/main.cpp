@@ -10,6 +10,7 @@
 #include "geometry/error.hpp"
 #include "oracle/environment.hpp"
 #include "oracle/self_check.hpp"
+#include "subjects/subject.hpp"
 
 namespace {
 
@@ -32,6 +33,8 @@ int main(int argc, char** argv) {
     return complained(mistake.what(), mistaken);
   } catch (const NothingAudited& why) {
     return complained(why.what(), nothing_audited);
+  } catch (const NoAnswer& why) {
+    return complained(why.what(), found);
   } catch (const oracle::UnfitArithmetic& flaw) {
     return complained(flaw.what(), unfit);
   } catch (const std::bad_alloc&) {

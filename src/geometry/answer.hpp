@@ -7,7 +7,7 @@
 
 namespace rayaudit {
 
-/// What a subject says of a case.
+/// What a subject says of a case. What its form does not ask for may hold anything.
 struct Answer {
   enum class Form : unsigned char {
     miss,  ///< they do not meet
@@ -23,7 +23,9 @@ struct Answer {
   std::uint8_t stage = 0;
 
   friend bool operator==(const Answer& a, const Answer& b) {
-    return a.form == b.form && a.t == b.t && a.point == b.point;
+    if (a.form != b.form) return false;
+    if (a.form == Form::hit) return a.t == b.t;
+    return a.form != Form::at || a.point == b.point;
   }
 
   static Answer miss() { return {}; }

@@ -23,11 +23,29 @@ Answer answer_of(const std::optional<Vec3<N>>& point) {
   return point ? Answer::at({real(point->x), real(point->y), real(point->z)}) : Answer::miss();
 }
 
+/// The same, written where it is to stand, and of that only what its form asks for: to put all of an
+/// answer together elsewhere and copy it takes longer than most routines do.
+inline void write(Answer& answer, bool met) {
+  answer.form = met ? Answer::Form::yes : Answer::Form::miss;
+}
+template <class N>
+void write(Answer& answer, const std::optional<N>& t) {
+  answer.form = t ? Answer::Form::hit : Answer::Form::miss;
+  if (t) answer.t = real(*t);
+}
+template <class N>
+void write(Answer& answer, const std::optional<Vec3<N>>& point) {
+  answer.form = point ? Answer::Form::at : Answer::Form::miss;
+  if (point) answer.point = {real(point->x), real(point->y), real(point->z)};
+}
+
 template <class Routine, class N, class S>
 void answer_batch(std::span<const Case> cases, std::span<Answer> answers) {
   const Routine routine;
-  for (std::size_t i = 0; i < cases.size(); ++i)
-    answers[i] = answer_of(routine(in<N>(cases[i].ray), in<N>(std::get<S>(cases[i].shape))));
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    write(answers[i], routine(in<N>(cases[i].ray), in<N>(*std::get_if<S>(&cases[i].shape))));
+    answers[i].stage = 0;
+  }
 }
 
 /// With every comparison proved, what is left to prove is t.

@@ -1,8 +1,79 @@
 #include "subjects/twins.hpp"
 
-namespace rayaudit {
+#include <array>
+#include <memory>
+#include <optional>
+#include <system_error>
 
-std::vector<Subject> twin_subjects() { return {}; }
-std::vector<Absent> absent_twins() { return {}; }
+#include "routines/routines.hpp"
+#include "subjects/module_child.hpp"
+#include "subjects/twin.hpp"
+
+namespace rayaudit {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* this_program = "/proc/self/exe";
+
+struct Flags {
+  std::string_view name, about;
+};
+constexpr std::array all_flags = {Flags{"fast_math", "-O3 -ffast-math"},
+                                  Flags{"native", "-O3 -march=native -ffp-contract=fast"}};
+
+std::string file_of(const Flags& flags) { return "rayaudit-" + std::string(flags.name) + ".so"; }
+
+std::optional<fs::path> module_beside(const fs::path& program, const Flags& flags) {
+  std::error_code fault;
+  const fs::path folder = fs::canonical(program, fault).parent_path();
+  for (const fs::path& place : {folder, folder.parent_path() / "lib" / "rayaudit"})
+    if (fs::path module = place / file_of(flags); fs::exists(module, fault)) return module;
+  return {};
+}
+
+template <class Routine, class N>
+Subject twin_of(const Flags& flags, const std::shared_ptr<ModuleChild>& child) {
+  Subject made = {twin_name<Routine, N>(flags.name), format_of<N>, {}};
+  const auto add = [&](std::size_t shape) {
+    made.timed[shape] = [child, name = made.name, shape](std::span<const Case> cases,
+                                                         std::span<Answer> answers) {
+      return child->answer(name, shape, cases, answers);
+    };
+    made.answer[shape] = made.timed[shape];
+  };
+  [&]<std::size_t... shape>(std::index_sequence<shape...>) {
+    ((takes_shape<Routine, N, shape> ? add(shape) : void()), ...);
+  }
+  (std::make_index_sequence<shape_count>{});
+  return made;
+}
+
+}  // namespace
+
+std::vector<Subject> twins_beside(const fs::path& program) {
+  std::vector<Subject> twins;
+  for (const Flags& flags : all_flags) {
+    const std::optional<fs::path> module = module_beside(program, flags);
+    if (!module) continue;
+    const auto child = std::make_shared<ModuleChild>(program, *module);
+    each_twin(Routines{}, [&]<class Routine, class N>() {
+      twins.push_back(twin_of<Routine, N>(flags, child));
+    });
+  }
+  return twins;
+}
+
+std::vector<Subject> twin_subjects() { return twins_beside(this_program); }
+
+std::vector<Absent> absent_twins() {
+  std::vector<Absent> absent;
+  for (const Flags& flags : all_flags)
+    if (!module_beside(this_program, flags))
+      absent.push_back({"*+" + std::string(flags.name) + "/*", file_of(flags) + ", compiled with " +
+                                                                   std::string(flags.about) +
+                                                                   ", is not beside the program"});
+  return absent;
+}
 
 }  // namespace rayaudit

@@ -17,8 +17,12 @@ BOOST_AUTO_TEST_CASE(shapes_are_listed_with_their_sentence) {
 
 BOOST_AUTO_TEST_CASE(subjects_are_listed_with_the_shapes_that_they_answer) {
   const auto ended = run("rayaudit list subjects");
-  BOOST_TEST(contains(ended.out, "\nhandout/double                disk sphere\n"));
-  BOOST_TEST(contains(ended.out, "\ntextbook/long_double          disk sphere cylinder cone\n"));
+  BOOST_TEST(contains(ended.out, "\nhandout/double                      disk sphere\n"));
+  BOOST_TEST(
+      contains(ended.out, "\ntextbook/long_double                disk sphere cylinder cone\n"));
+  BOOST_TEST(contains(ended.out,
+                      "\nstable_quadratic+fast_math/double   sphere cylinder cone         by name "
+                      "only\n"));
 }
 
 BOOST_AUTO_TEST_CASE(families_are_listed_with_shapes_strength_and_difficulty) {
