@@ -29,6 +29,12 @@ struct Outline {
   std::array<Outlined, Truth::most> listed = {};
 
   void add(const Outlined& root) { listed[count++] = root; }
+  /// The first proper crossing, or null; within the surface there is none.
+  const Outlined* proper_hit() const& {
+    if (count == 0) return nullptr;
+    const Outlined& last = listed[count - 1];
+    return last.standing == Standing::acceptable && last.kind == Kind::proper ? &last : nullptr;
+  }
 };
 
 /// The signs of numbers of N: -1, 0, 1. A sign that N cannot tell is 0 and sets unsure for good.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
+#include "oracle/block.hpp"
 #include "oracle/environment.hpp"
 #include "oracle/prepared.hpp"
 #include "oracle/radical.hpp"
@@ -12,9 +12,6 @@
 
 namespace rayaudit::oracle {
 namespace {
-
-/// Cases are settled in blocks: one switch of the rounding mode for all of a block's intervals.
-constexpr std::size_t block = 64;
 
 Truth exact_truth(const Case& question, int bits) {
   Truth truth{.stage = Stage::exact};
@@ -55,44 +52,19 @@ bool fill(Truth& truth, const Case& question, const Outline& outline, const Valu
   return true;
 }
 
-/// A block on its way through the stages: the valid cases, scaled where they must be.
-struct Block {
-  std::array<const Case*, block> asked;
-  std::array<std::uint8_t, block> place;  ///< asked[i] is cases[place[i]]
-  std::array<int, block> t_exponent;
-  std::size_t count = 0;
-  std::vector<Scaled> scales;
-
-  void ask(const Case& question, std::size_t at, int exponent) {
-    asked[count] = &question;
-    place[count] = static_cast<std::uint8_t>(at);
-    t_exponent[count] = exponent;
-    ++count;
-  }
-};
-
 void settle_block(std::span<const Case> cases, std::span<Truth> truths, int bits) {
   Block in;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const bool moderate = is_moderate(cases[i]);
     truths[i].clear();
     truths[i].invalid = invalid(cases[i], moderate);
-    if (truths[i].invalid != Invalid::no) continue;
-    if (moderate) {
-      in.ask(cases[i], i, 0);
-      continue;
-    }
-    if (in.scales.empty()) in.scales.reserve(block);
-    const Scaled& scale = in.scales.emplace_back(scaled(cases[i]));
-    if (scale.exact)
-      in.ask(scale.question, i, scale.t_exponent());
-    else
+    if (truths[i].invalid == Invalid::no && !in.ask(cases[i], i, moderate))
       truths[i] = exact_truth(cases[i], bits);
   }
   std::array<Outline, block> outlines;
   std::array<Stage, block> stages;
   std::array<Values, block> values;
-  const std::span asked(in.asked.data(), in.count);
+  const std::span asked = in.cases();
   outline_by_intervals(asked, outlines);
   for (std::size_t i = 0; i < in.count; ++i) {
     stages[i] = outlines[i].unsure ? Stage::exact : Stage::interval;

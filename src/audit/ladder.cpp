@@ -22,7 +22,7 @@ Rung rung(int k, const Tally& tally) {
           .ulps = errors(tally.ulps),
           .forced = errors(tally.forced),
           .own = errors(tally.own),
-          .condition = errors(tally.condition).half,
+          .condition = errors(tally.condition),
           .narrow_margin = tally.curve.quantile(0.1),
           .half_margin = tally.curve.quantile(0.5)};
 }
@@ -55,7 +55,7 @@ struct Climber {
     if (tally.own.count() >= fewest_hits) {
       ulps.add(k, tally.ulps.quantile(0.99));
       own.add(k, tally.own.quantile(0.99));
-      condition.add(k, tally.condition.quantile(0.5));
+      condition.add(k, tally.condition.quantile(0.99));
     }
     if (climb.broken) return;
     const std::vector alone = {audit};  // what is broken points into it

@@ -38,14 +38,14 @@ struct Rung {
   int k = 0;
   std::uint64_t cases = 0, wrong = 0;
   Errors ulps, forced, own;
-  double condition = 0;  ///< what rounding the case once does to t, in ulps, in half of the hits
+  Errors condition;  ///< what rounding the case once would do to t, in ulps
   /// Margins that a tenth and half of the cases do not exceed, in u, as powers of two, of the share
   /// that is looked into closely; nothing where all are touches.
   std::optional<int> narrow_margin, half_margin;
 };
 
-/// Powers of two by which an error rises with each k, by least squares over rungs with a few hits;
-/// NaN where there are less than three such.
+/// Powers of two by which an error rises with each k: that which 99 of 100 hits keep, by least
+/// squares over rungs with a few hits; NaN where there are less than three such.
 struct Slopes {
   double ulps, own, condition;
 };

@@ -23,7 +23,7 @@ Json told(const Rung& rung) {
           {"ulp", told(rung.ulps)},
           {"forced", told(rung.forced)},
           {"own", told(rung.own)},
-          {"condition", {{"p50", number(rung.condition)}}},
+          {"condition", told(rung.condition)},
           {"margin", {{"p10", margin(rung.narrow_margin)}, {"p50", margin(rung.half_margin)}}}};
 }
 

@@ -44,7 +44,8 @@ std::string legend(const LadderRun& run) {
           "ulps, in half of the hits, and the margin of half of the cases in u, both of the case "
           "and not of any routine. Holds to: the last k up to which the subject keeps {}. Slopes: "
           "powers of two a step by which rise the error in ulps, the error of its own, and the "
-          "forced error in ulps: where the first follows the last, the case is to blame.",
+          "forced error in ulps, of all hits but one in 100: where the first follows the last, the "
+          "case is to blame.",
           bound),
       0);
 }
@@ -105,7 +106,7 @@ std::string case_rows(const std::vector<const Climb*>& climbs, const Format& for
                       const std::vector<int>& columns, const Ink& ink) {
   const auto hits = [](const Climb* climb) {
     return std::ranges::count_if(climb->rungs,
-                                 [](const Rung& rung) { return !std::isnan(rung.condition); });
+                                 [](const Rung& rung) { return !std::isnan(rung.condition.half); });
   };
   const Climb* fullest = nullptr;
   for (const Climb* climb : climbs)
@@ -113,9 +114,9 @@ std::string case_rows(const std::vector<const Climb*>& climbs, const Format& for
       fullest = climb;
   if (fullest == nullptr) return "";
   const std::string name = fmt::format("  case in {}, ", format.name);
-  return ink.faint(
-             fmt::format("{:<56}", name + "forced error in ulps") +
-             cells(*fullest, columns, [](const Rung& rung) { return magnitude(rung.condition); })) +
+  return ink.faint(fmt::format("{:<56}", name + "forced error in ulps") +
+                   cells(*fullest, columns,
+                         [](const Rung& rung) { return magnitude(rung.condition.half); })) +
          ink.faint(fmt::format("{:<56}", name + "margin in u") +
                    cells(*fullest, columns, [](const Rung& rung) {
                      return rung.half_margin ? fmt::format("2^{}", *rung.half_margin) : "-";

@@ -23,8 +23,8 @@ Answer answer_of(const std::optional<Vec3<N>>& point) {
   return point ? Answer::at({real(point->x), real(point->y), real(point->z)}) : Answer::miss();
 }
 
-/// The same, written where it is to stand, and of that only what its form asks for: to put all of an
-/// answer together elsewhere and copy it takes longer than most routines do.
+/// The same, written where it is to stand, and of that only what its form asks for: to put all of
+/// an answer together elsewhere and copy it takes longer than most routines do.
 inline void write(Answer& answer, bool met) {
   answer.form = met ? Answer::Form::yes : Answer::Form::miss;
 }

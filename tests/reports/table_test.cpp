@@ -332,7 +332,7 @@ BOOST_AUTO_TEST_CASE(every_report_is_in_the_list_and_ends_its_last_line) {
   HandMade made;
   made.add("textbook/float", 1, "far");
   BOOST_TEST(reports().size() == 3);
-  for (const Report& report : reports())
+  for (const auto& report : reports())
     BOOST_TEST(report.write(made.run(), {}).back() == '\n', report.name);
 }
 

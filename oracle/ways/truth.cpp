@@ -1,0 +1,29 @@
+#include "oracle/truth.hpp"
+
+#include <algorithm>
+
+#include "oracle/block.hpp"
+#include "oracle/ways.hpp"
+
+namespace rayaudit::oracle {
+namespace {
+
+Answer answer(const Case& question, const Truth& truth) {
+  const Crossing* hit = truth.hit();
+  Answer said = hit ? Answer::hit(real(rounded<double>(question, *hit))) : Answer::miss();
+  if (truth.invalid == Invalid::no) said.stage = truth.stage == Stage::interval ? 1 : 2;
+  return said;
+}
+
+}  // namespace
+
+void answer_by_truth(std::span<const Case> cases, std::span<Answer> answers) {
+  std::array<Truth, block> truths;
+  for (std::size_t i = 0; i < cases.size(); i += block) {
+    const auto some = cases.subspan(i, std::min(block, cases.size() - i));
+    truth(some, {truths.data(), some.size()});
+    std::transform(some.begin(), some.end(), truths.begin(), answers.begin() + i, answer);
+  }
+}
+
+}  // namespace rayaudit::oracle
