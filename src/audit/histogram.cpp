@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace rayaudit {
 
@@ -24,6 +25,13 @@ void Histogram::merge(const Histogram& other) {
   for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
   count_ += other.count_;
   largest_ = std::max(largest_, other.largest_);
+}
+
+std::uint64_t Histogram::octave(int exponent) const {
+  if (exponent == least_octave) return counts_.front();
+  if (exponent == most_octave) return counts_.back();
+  const auto first = counts_.begin() + 1 + (exponent - least_exponent) * steps;
+  return std::accumulate(first, first + steps, std::uint64_t{0});
 }
 
 double Histogram::quantile(double p) const {

@@ -134,10 +134,9 @@ std::string write_observed(const AuditOptions& options, const std::vector<Audit>
 
 /// What is asked for: the table where there is nothing else for standard output.
 std::vector<ReportOrder> orders_of(const AuditOptions& options) {
-  const auto names = names_of(reports(), &ReportOf<Run>::name);
-  if (!options.reports.empty()) return read_report_orders(options.reports, names);
+  if (!options.reports.empty()) return orders_of(options.reports, reports());
   if (options.written_bounds == "-") return {};
-  return read_report_orders({"table"}, names);
+  return orders_of({"table"}, reports());
 }
 
 /// Where the observed bounds go, as the places of reports are told, if anywhere.
@@ -156,7 +155,7 @@ int audit(const AuditOptions& options) {
   if (observed_to) files.push_back(*observed_to);
   require_places(files);
   const std::vector<Audit> audits = run_with_progress(plan);
-  const Run run = {RAYAUDIT_VERSION, plan, audits, environment()};
+  const Run run = {RAYAUDIT_VERSION, plan, audits, environment(), options.command};
   // Standard output comes last: where its reader has gone, the files are there.
   for (const bool to_stdout : {false, true}) {
     deliver(orders, reports(), run, {.everything = options.all_findings}, to_stdout);

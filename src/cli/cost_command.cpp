@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "audit/cost.hpp"
+#include "cli/bounds_option.hpp"
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/names.hpp"
@@ -19,6 +20,7 @@ struct CostOptions {
   std::vector<std::string> subjects, shapes, families, reports;
   CostPlan plan;
   Look look;
+  std::string command;  ///< all of this as it was typed
 };
 
 /// Every way to answer where none is named: what is audited by name only takes part too.
@@ -51,9 +53,7 @@ int told_untimed(const Cost& cost) {
 
 int cost(const CostOptions& options) {
   const CostPlan plan = plan_of(options);
-  const auto names = names_of(cost_reports(), &ReportOf<CostRun>::name);
-  const auto orders = read_report_orders(
-      options.reports.empty() ? std::vector<std::string>{"table"} : options.reports, names);
+  const auto orders = orders_of(options.reports, cost_reports());
   require_places(orders);
   Cost measured;
   {
@@ -64,7 +64,7 @@ int cost(const CostOptions& options) {
   if (measured.cells.empty() && untimed == all_held)
     throw NothingAudited(
         "nothing to measure: no chosen subject answers a chosen shape that a chosen family draws");
-  const CostRun run = {RAYAUDIT_VERSION, plan, measured, environment()};
+  const CostRun run = {RAYAUDIT_VERSION, plan, measured, environment(), options.command};
   for (const bool to_stdout : {false, true})
     deliver(orders, cost_reports(), run, options.look, to_stdout);
   return untimed;
@@ -115,7 +115,11 @@ void add_cost_command(CLI::App& program, Command& asked) {
       "  rayaudit cost\n"
       "  rayaudit cost --shape sphere --family grazing --all-ways\n"
       "  rayaudit cost '*/float' '*/double' --report table --report html=cost.html\n");
-  command->callback([=, &asked] { asked = [options] { return cost(*options); }; });
+  command->callback([=, &asked] {
+    options->command = command_text(*command);
+    if (options->reports.empty()) options->reports = {"table"};
+    asked = [options] { return cost(*options); };
+  });
 }
 
 }  // namespace rayaudit

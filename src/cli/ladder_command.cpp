@@ -22,6 +22,7 @@ struct LadderOptions {
   std::string family = default_family;
   LadderPlan plan;
   Look look;
+  std::string command;  ///< all of this as it was typed
 };
 
 const Family& family_with_difficulty(const std::string& id) {
@@ -59,9 +60,7 @@ int told_broken(const LadderPlan& plan, const std::vector<Climb>& climbs) {
 
 int ladder(const LadderOptions& options) {
   const LadderPlan plan = plan_of(options);
-  const auto names = names_of(ladder_reports(), &ReportOf<LadderRun>::name);
-  const auto orders = read_report_orders(
-      options.reports.empty() ? std::vector<std::string>{"table"} : options.reports, names);
+  const auto orders = orders_of(options.reports, ladder_reports());
   require_places(orders);
   std::vector<Climb> climbs;
   {
@@ -71,7 +70,7 @@ int ladder(const LadderOptions& options) {
   if (climbs.empty())
     throw NothingAudited("nothing to climb: no chosen subject answers a chosen shape that family " +
                          options.family + " draws");
-  const LadderRun run = {RAYAUDIT_VERSION, plan, climbs, environment()};
+  const LadderRun run = {RAYAUDIT_VERSION, plan, climbs, environment(), options.command};
   for (const bool to_stdout : {false, true})
     deliver(orders, ladder_reports(), run, options.look, to_stdout);
   return told_broken(plan, climbs);
@@ -119,7 +118,11 @@ void add_ladder_command(CLI::App& program, Command& asked) {
       "  rayaudit ladder\n"
       "  rayaudit ladder 'textbook/*' 'certified/*' --family far --shape sphere --breaks\n"
       "  rayaudit ladder --bounds data/bounds/robust.txt --report html=ladder.html\n");
-  command->callback([=, &asked] { asked = [options] { return ladder(*options); }; });
+  command->callback([=, &asked] {
+    options->command = command_text(*command);
+    if (options->reports.empty()) options->reports = {"table"};
+    asked = [options] { return ladder(*options); };
+  });
 }
 
 }  // namespace rayaudit

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/names.hpp"
 #include "cli/output.hpp"
 #include "reports/report.hpp"
 
@@ -27,6 +28,16 @@ void require_places(const std::vector<ReportOrder>& orders);
 
 /// Writes it to its place: a file whole, or not at all.
 void deliver(const std::string& file, const std::string& text);
+
+/// The orders that texts name, of the reports in a list. Throws Error where one is not known or
+/// cannot be had in this build.
+template <class Made>
+std::vector<ReportOrder> orders_of(const std::vector<std::string>& texts,
+                                   std::span<const ReportOf<Made>> reports) {
+  const auto orders = read_report_orders(texts, names_of(reports, &ReportOf<Made>::name));
+  for (const ReportOrder& order : orders) reports[order.report].require();
+  return orders;
+}
 
 /// Writes the reports that go to standard output, or those that do not.
 template <class Made>

@@ -1,4 +1,5 @@
 #include "reports/json.hpp"
+#include "reports/page.hpp"
 #include "reports/report.hpp"
 #include "reports/steps.hpp"
 
@@ -69,14 +70,13 @@ Json absent(const CostRun& run) {
   return missing;
 }
 
-}  // namespace
-
-std::string write_cost_json(const CostRun& run, const Look&) {
+Json document(const CostRun& run) {
   Json cells = Json::array();
   for (const Cell& cell : run.cost.cells) cells.push_back(told(cell));
-  return written({{"schema", 1},
+  return {{"schema", 1},
                   {"report", "cost"},
                   {"tool", tool(run.version)},
+                  {"command", run.command},
                   {"seed", run.plan.seed},
                   {"cases", run.plan.cases},
                   {"rounds", run.plan.rounds},
@@ -85,7 +85,15 @@ std::string write_cost_json(const CostRun& run, const Look&) {
                   {"absent", absent(run)},
                   {"apart", apart},
                   {"cells", cells},
-                  {"prices", prices(run)}});
+                  {"prices", prices(run)}};
+}
+
+}  // namespace
+
+std::string write_cost_json(const CostRun& run, const Look&) { return written(document(run)); }
+
+std::string write_cost_html(const CostRun& run, const Look&) {
+  return page("rayaudit cost", compact(document(run)));
 }
 
 }  // namespace rayaudit

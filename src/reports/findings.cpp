@@ -10,16 +10,7 @@
 #include "reports/wrapped.hpp"
 
 namespace rayaudit {
-namespace {
 
-using figures::magnitude;
-
-constexpr std::size_t themes_shown = 20, families_shown = 4;
-
-/// Below so many u a verdict may turn by rounding the numbers of the case once or twice.
-constexpr double excusable = 4;
-
-/// What the subject says, for those who do not know the words yet.
 std::string_view sentence(Verdict verdict) {
   switch (verdict) {
     case Verdict::false_hit:
@@ -39,7 +30,6 @@ std::string_view sentence(Verdict verdict) {
   }
 }
 
-/// What there is at the place that it claims.
 std::string_view sentence(Claim claim) {
   switch (claim) {
     case Claim::none:
@@ -71,6 +61,15 @@ std::string_view sentence(Claim claim) {
   }
   return "";
 }
+
+namespace {
+
+using figures::magnitude;
+
+constexpr std::size_t themes_shown = 20, families_shown = 4;
+
+/// Below so many u a verdict may turn by rounding the numbers of the case once or twice.
+constexpr double excusable = 4;
 
 /// A place that may stand for a miss: a slip to be mended however few rays show it.
 bool is_sentinel(Claim claim) { return claim == Claim::centre || claim == Claim::origin; }

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -29,9 +32,25 @@ inline Json tool(const std::string& version) {
   return {{"name", "rayaudit"}, {"version", version}};
 }
 
+/// A magnitude to as many digits as are read.
+inline Json magnitude(double x) {
+  return number(std::isfinite(x) ? std::strtod(fmt::format("{:.4g}", x).c_str(), nullptr) : x);
+}
+
 /// The text of a report. Bytes that are no UTF-8, in the name of a subject, must not stop it.
 inline std::string written(const Json& report) {
   return report.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+/// The same with magnitudes, and no more room than it takes: what a page holds.
+inline std::string compact(Json report) {
+  const auto shorten = [](auto& self, Json& part) -> void {
+    if (part.is_number_float()) part = magnitude(part.get<double>());
+    if (part.is_structured())
+      for (Json& each : part) self(self, each);
+  };
+  shorten(shorten, report);
+  return report.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace rayaudit::json

@@ -1,5 +1,6 @@
 #include "reports/explain_line.hpp"
 #include "reports/json.hpp"
+#include "reports/page.hpp"
 #include "reports/promise.hpp"
 #include "reports/report.hpp"
 
@@ -55,22 +56,28 @@ Json told(const Climb& climb) {
           {"rungs", rungs}};
 }
 
-}  // namespace
-
-std::string write_ladder_json(const LadderRun& run, const Look&) {
+Json document(const LadderRun& run) {
   const Family& family = *run.plan.family;
   Json climbs = Json::array();
   for (const Climb& climb : run.climbs) climbs.push_back(told(climb));
-  return written(
-      {{"schema", 1},
+  return {{"schema", 1},
        {"report", "ladder"},
        {"tool", tool(run.version)},
+       {"command", run.command},
        {"seed", run.plan.seed},
        {"cases", run.plan.cases},
        {"environment", json::told(run.environment)},
        {"family",
         {{"id", family.id}, {"about", family.about}, {"difficulty", family.difficulty->about}}},
-       {"climbs", climbs}});
+       {"climbs", climbs}};
+}
+
+}  // namespace
+
+std::string write_ladder_json(const LadderRun& run, const Look&) { return written(document(run)); }
+
+std::string write_ladder_html(const LadderRun& run, const Look&) {
+  return page("rayaudit ladder of " + std::string(run.plan.family->id), compact(document(run)));
 }
 
 }  // namespace rayaudit

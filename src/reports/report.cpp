@@ -1,25 +1,33 @@
 #include "reports/report.hpp"
 
+#include "reports/page.hpp"
+
 namespace rayaudit {
 namespace {
+
+constexpr std::string_view page_about =
+    "for people, in a browser: one page with charts that needs no network";
 
 constexpr ReportOf<Run> of_audits[] = {
     {"table", "for people: what is wrong of each subject, and the findings, worst first",
      write_table},
     {"json", "for programs: everything, with the worst case of each kind", write_json},
     {"csv", "for spreadsheets: a row for each subject, shape and family", write_csv},
+    {"html", page_about, write_html, require_page},
 };
 
 constexpr ReportOf<CostRun> of_costs[] = {
     {"table", "for people: the front of each shape, and what its next steps cost",
      write_cost_table},
     {"json", "for programs: every way on every shape and family", write_cost_json},
+    {"html", page_about, write_cost_html, require_page},
 };
 
 constexpr ReportOf<LadderRun> of_ladders[] = {
     {"table", "for people: how far each subject holds, and how its errors rise",
      write_ladder_table},
     {"json", "for programs: every subject at every difficulty", write_ladder_json},
+    {"html", page_about, write_ladder_html, require_page},
 };
 
 }  // namespace

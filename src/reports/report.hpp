@@ -19,6 +19,7 @@ struct Run {
   const Plan& plan;
   const std::vector<Audit>& audits;
   Environment environment;
+  std::string command = {};  ///< as it was typed, where it was
 };
 
 /// A measurement that is over: what every way to answer costs.
@@ -27,6 +28,7 @@ struct CostRun {
   const CostPlan& plan;
   const Cost& cost;
   Environment environment;
+  std::string command = {};
 };
 
 /// A ladder that was climbed.
@@ -35,6 +37,7 @@ struct LadderRun {
   const LadderPlan& plan;
   const std::vector<Climb>& climbs;
   Environment environment;
+  std::string command = {};
 };
 
 /// How the report for people is to look; the others pay no heed to it.
@@ -49,14 +52,19 @@ std::string write_json(const Run& run, const Look& look);
 std::string write_csv(const Run& run, const Look& look);
 std::string write_cost_table(const CostRun& run, const Look& look);
 std::string write_cost_json(const CostRun& run, const Look& look);
+std::string write_cost_html(const CostRun& run, const Look& look);
 std::string write_ladder_table(const LadderRun& run, const Look& look);
 std::string write_ladder_json(const LadderRun& run, const Look& look);
+std::string write_ladder_html(const LadderRun& run, const Look& look);
+std::string write_html(const Run& run, const Look& look);
 
 /// A format that something made is written down in; whole, with the end of its last line.
 template <class Made>
 struct ReportOf {
   std::string_view name, about;
   std::string (*write)(const Made& made, const Look& look);
+  /// Throws Error where this build cannot write it.
+  void (*require)() = [] {};
 };
 
 /// Every report there is. A new one is a function and a row in its list.

@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(a_plain_list_has_all_four_headings) {
   const auto list = [](const std::string& what) { return run("rayaudit list " + what).out; };
   BOOST_TEST(list("") == "shapes\n" + list("shapes") + "\nsubjects\n" + list("subjects") +
                              "\nfamilies\n" + list("families") + "\nreports\n" + list("reports"));
-  for (const std::string report : {"table ", "json ", "csv "})
+  for (const std::string report : {"table ", "json ", "csv ", "html "})
     BOOST_TEST(contains("\n" + list("reports"), "\n" + report));
 }
 

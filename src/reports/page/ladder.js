@@ -1,0 +1,105 @@
+// The page of a ladder: one family, rising difficulty; up to where each subject holds.
+
+const ladder_measures = {
+  "ulp max": "largest error, ulps", "ulp p99": "99 % of errors, ulps", "ulp p50": "half of errors, ulps",
+  "own max": "largest error, times what the case forces or an ulp, the larger", "own p99": "99 % of errors, times what the case forces or an ulp, the larger",
+  "forced max": "largest error, times what the case forces", "forced p99": "99 % of errors, times what the case forces",
+};
+const ladder_charts = ["ladder-errors", "ladder-wrong", "ladder-margins"];
+
+function ladder_page(report, show) {
+  const { climbs, family } = report;
+  const shapes = unique(climbs.map(({ shape }) => shape));
+  const subjects = unique(climbs.map(({ subject }) => subject)).map((name) => climbs.find(({ subject }) => subject === name))
+    .map(({ subject, format }) => ({ name: subject, format }));
+  const here = { report: { ...report, subjects }, shape: choice(shapes[0]), measure: choice("ulp max"), subjects: choice(first_subjects(subjects)) };
+  const shown = () => climbs.filter(({ shape, subject }) => shape === here.shape.value && here.subjects.value.includes(subject));
+  const measures = Object.entries(ladder_measures).filter(([measure]) => measure.split(" ")[0] in climbs[0].rungs[0]);
+  const rows = element("div", {});
+  const update_rows = () => rows.replaceChildren(climb_table(climbs.filter(({ shape }) => shape === here.shape.value), here.shape.value));
+  const shape_control = () => select("Shape", here.shape, shapes.map((name) => [name, name]));
+  show(
+    heading(report, `Family ${family.id}: ${family.about}. The cases grow harder step by step, by their difficulty k: ${family.difficulty}.`, [
+      ["command", report.command ? element("code", {}, report.command) : null],
+      ["cases", `${grouped(report.cases)} for each subject, shape and k`],
+      ["held to", report.held_to],
+    ]),
+    section(
+      "Errors against difficulty",
+      "A stable routine is flat, or rises no faster than the grey dashes: what the cases themselves force.",
+      controls(shape_control(), select("Height", here.measure, measures), boxes("Subjects", here.subjects, subjects.map(({ name }) => name))),
+      chart("ladder-errors", "Error of t of right hits. Dashed grey: what rounding the numbers of a case once does to t, half of the cases.", () => error_lines(here, shown()))),
+    section(
+      "Wrong answers against difficulty",
+      "A line that leaves the bottom is a subject that has begun to be wrong.",
+      controls(shape_control()),
+      chart("ladder-wrong", "Wrong answers, in per cent of the cases of each k.", () => wrong_lines(here, shown())),
+      chart("ladder-margins", "Beside it, how near the cases are to another truth, in u of their format: half of them (dashed) and a tenth (dotted) lie below the line. Near 1, being wrong may be excused.", () => margin_lines(shown()))),
+    section("Who holds up to where", "A slope of 0 is flat, 1 doubles with each k; one like that of the condition follows what the cases force.", controls(shape_control()), rows));
+  here.shape.watch(() => (redraw(...ladder_charts), update_rows()));
+  here.subjects.watch(() => redraw(...ladder_charts));
+  here.measure.watch(() => redraw("ladder-errors"));
+  update_rows();
+}
+
+const k_axis = { field: "k", title: "difficulty k", axis: { tickMinStep: 1, format: "d" }, scale: { nice: false } };
+
+/** Layers of grey lines by format, of something that the cases have and not the subjects. */
+function of_cases(climbs, axis, dash, tell, what) {
+  const known = climbs.flatMap(({ format, rungs }) => rungs.filter((rung) => tell(rung) != null).map((rung) => ({ k: rung.k, format, value: tell(rung) })));
+  const first = new Map(known.reverse().map((each) => [`${each.format} ${each.k}`, each]));
+  const values = [...first.values()].map(({ k, format, value }) => ({ k, format, y: axis.place(number(value)), told: `${what}, ${spaced(format)}: ${magnitude(value)}` }));
+  return values.length === 0 ? [] : [{
+    data: { values },
+    mark: { type: "line", color: faint(), strokeDash: dash, strokeWidth: 2.5 },
+    encoding: { x: { ...k_axis, type: "quantitative" }, y: axis.y, detail: { field: "format" }, tooltip: { field: "told" } },
+  }];
+}
+
+function error_lines(here, climbs) {
+  const [kind, which] = here.measure.value.split(" ");
+  const points = climbs.flatMap(({ subject, rungs }) => rungs.map((rung) => ({ subject, k: rung.k, value: number(rung[kind]?.[which]) }))).filter(({ value }) => value != null);
+  if (!points.length) return "No hit was right here.";
+  const conditions = kind === "ulp" ? climbs.flatMap(({ rungs }) => rungs.map(({ condition }) => number(condition?.p50))) : [1];
+  const axis = with_zero([...points.map(({ value }) => value), ...conditions], ladder_measures[here.measure.value], "0");
+  for (const point of points) Object.assign(point, { y: axis.place(point.value), told: magnitude(point.value) });
+  const lines = lines_by(points, here, k_axis, axis, "k");
+  lines.layer.splice(1, 0, ...kind === "ulp"
+    ? of_cases(climbs, axis, [6, 4], ({ condition }) => condition?.p50, "the case forces")
+    : [{ data: { values: [{ one: 1 }] }, mark: { type: "rule", color: faint(), strokeDash: [6, 4], strokeWidth: 2.5 }, encoding: { y: { field: "one", type: "quantitative" } } }]);
+  return lines;
+}
+
+function wrong_lines(here, climbs) {
+  const points = climbs.flatMap(({ subject, rungs }) => rungs.map(({ k, wrong, cases }) => ({ subject, k, value: (100 * wrong) / cases, told: `${grouped(wrong)} of ${grouped(cases)} (${percent(wrong, cases)} %)` })));
+  if (!points.length) return "No subject is chosen.";
+  const axis = with_zero(points.map(({ value }) => value), "wrong, per cent", "none");
+  for (const point of points) point.y = axis.place(point.value);
+  return lines_by(points, here, k_axis, axis, "k");
+}
+
+function margin_lines(climbs) {
+  const margins = climbs.flatMap(({ rungs }) => rungs.flatMap(({ margin }) => [number(margin?.p10), number(margin?.p50)]));
+  if (!margins.some(positive)) return "No margin was measured here.";
+  const axis = with_zero(margins, "margin, u", "0");
+  return { layer: [axis.band, ...of_cases(climbs, axis, [7, 3], ({ margin }) => margin?.p50, "half below"), ...of_cases(climbs, axis, [2, 3], ({ margin }) => margin?.p10, "a tenth below")] };
+}
+
+function climb_table(climbs, shape) {
+  const holds = ({ holds_to, most }) => (holds_to == null ? "nowhere" : holds_to >= most ? `all the way, k = ${most}` : `k = ${holds_to}`);
+  const broken = ({ broken: at }) => at
+    ? element("div", {}, `k = ${at.k}: ${at.limit} ${magnitude(at.seen)}, at most ${magnitude(at.most)}`, at.case ? copied("case", at.case) : null)
+    : "–";
+  const columns = [
+    ["subject", ({ subject }) => subject],
+    ["held to", ({ held_to }) => held_to ?? "–"],
+    ["holds up to", holds],
+    ["slope, ulps", ({ slope }) => magnitude(slope?.ulp), true],
+    ...(climbs.some(({ slope }) => slope?.own != null) ? [["slope, own", ({ slope }) => magnitude(slope.own), true]] : []),
+    ...(climbs.some(({ slope }) => slope?.forced != null) ? [["slope, forced", ({ slope }) => magnitude(slope.forced), true]] : []),
+    ["slope of the condition", ({ slope }) => magnitude(slope?.condition), true],
+    ["first broken", broken],
+  ];
+  const furthest = ({ holds_to }) => holds_to ?? -Infinity;
+  return table(`${shape}: who holds furthest comes first`, columns, [...climbs].sort((a, b) => furthest(b) - furthest(a) || 0));
+}
