@@ -23,6 +23,22 @@ std::uint64_t share_of(std::uint64_t cases, int dear, int may_be, std::uint64_t 
   return std::max(afforded, std::min(cases, least));
 }
 
+/// Reads every case and answers nothing of worth: what all subjects do besides.
+void answer_idly(std::span<const Case> cases, std::span<Answer> answers) {
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    double sum = 0;
+    each_number(cases[i], [&](double x) { sum += x; });
+    answers[i].form = Answer::Form::hit;
+    answers[i].t = real(sum);
+  }
+}
+
+Subject idle_subject() {
+  Subject subject = {"idle", double_format, {}};
+  subject.answer.fill(answer_idly);
+  return subject;
+}
+
 /// Measures a plan, and drops from it the subjects that fail.
 class Measurement {
  public:
@@ -45,7 +61,9 @@ class Measurement {
     for (const Subject* subject : plan_.subjects)
       if (!is_untimed(subject)) by_cases[judged_cases(plan_, *subject)].push_back(subject);
     for (const auto& [cases, subjects] : by_cases) judge(cases, subjects);
-    Cost cost = {{}, std::move(untimed_)};
+    Cost cost;
+    if (!idle_rounds_.empty()) cost.idle = spread(std::move(idle_rounds_));
+    cost.untimed = std::move(untimed_);
     for (const std::size_t shape : plan_.shapes) add_shape(cost.cells, shape);
     return cost;
   }
@@ -77,6 +95,7 @@ class Measurement {
     std::vector<Course> courses;
     for (const Way& way : cell.ways)
       courses.push_back({way.subject, std::span(cases).first(way.timed)});
+    courses.push_back({&idle_, cases});
     const auto fail = [&](const Course& course, const NoAnswer& why) { drop(course.subject, why); };
     const auto times = timed(courses, plan_.rounds, fail);
     std::uint64_t done = 0;
@@ -84,6 +103,7 @@ class Measurement {
       cell.ways[i].rounds = times[i];
       done += judged_cases(plan_, *cell.ways[i].subject);
     }
+    idle_rounds_.insert(idle_rounds_.end(), times.back().begin(), times.back().end());
     told(done);
   }
 
@@ -162,6 +182,8 @@ class Measurement {
   std::vector<Cell> cells_;  ///< one for each shape and family
   std::map<std::tuple<const Subject*, std::size_t, const Family*>, Accuracy> accuracies_;
   std::vector<Untimed> untimed_;
+  Subject idle_ = idle_subject();
+  std::vector<double> idle_rounds_;
   std::uint64_t done_ = 0, all_ = 0;
 };
 

@@ -77,6 +77,8 @@ struct Untimed {
 };
 
 struct Cost {
+  /// What each of the times holds for reading a case and writing an answer, in nanoseconds.
+  Spread idle;
   std::vector<Cell> cells;  ///< by shape; of each all, easy, hard, where there are such; families
   std::vector<Untimed> untimed;
 

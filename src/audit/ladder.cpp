@@ -53,9 +53,9 @@ struct Climber {
     const Tally& tally = audit.tally;
     climb.rungs.push_back(rung(k, tally));
     if (tally.own.count() >= fewest_hits) {
-      ulps.add(k, tally.ulps.quantile(0.99));
+      ulps.add(k, tally.ulps.quantile(0.5));
       own.add(k, tally.own.quantile(0.99));
-      condition.add(k, tally.condition.quantile(0.99));
+      condition.add(k, tally.condition.quantile(0.5));
     }
     if (climb.broken) return;
     const std::vector alone = {audit};  // what is broken points into it

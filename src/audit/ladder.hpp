@@ -44,8 +44,9 @@ struct Rung {
   std::optional<int> narrow_margin, half_margin;
 };
 
-/// Powers of two by which an error rises with each k: that which 99 of 100 hits keep, by least
-/// squares over rungs with a few hits; NaN where there are less than three such.
+/// Powers of two by which an error rises with each k, by least squares over rungs with a few hits;
+/// NaN where there are less than three such. Ulps and condition are those of half of the hits, to
+/// be held against each other; the error of its own is that which 99 of 100 hits keep.
 struct Slopes {
   double ulps, own, condition;
 };

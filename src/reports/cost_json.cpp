@@ -74,18 +74,19 @@ Json document(const CostRun& run) {
   Json cells = Json::array();
   for (const Cell& cell : run.cost.cells) cells.push_back(told(cell));
   return {{"schema", 1},
-                  {"report", "cost"},
-                  {"tool", tool(run.version)},
-                  {"command", run.command},
-                  {"seed", run.plan.seed},
-                  {"cases", run.plan.cases},
-                  {"rounds", run.plan.rounds},
-                  {"timed_cases", std::min<std::uint64_t>(run.plan.cases, chunk_cases)},
-                  {"environment", json::told(run.environment)},
-                  {"absent", absent(run)},
-                  {"apart", apart},
-                  {"cells", cells},
-                  {"prices", prices(run)}};
+          {"report", "cost"},
+          {"tool", tool(run.version)},
+          {"command", run.command},
+          {"seed", run.plan.seed},
+          {"cases", run.plan.cases},
+          {"rounds", run.plan.rounds},
+          {"timed_cases", std::min<std::uint64_t>(run.plan.cases, chunk_cases)},
+          {"environment", json::told(run.environment)},
+          {"absent", absent(run)},
+          {"apart", apart},
+          {"idle_ns", told(run.cost.idle)},
+          {"cells", cells},
+          {"prices", prices(run)}};
 }
 
 }  // namespace
@@ -93,7 +94,7 @@ Json document(const CostRun& run) {
 std::string write_cost_json(const CostRun& run, const Look&) { return written(document(run)); }
 
 std::string write_cost_html(const CostRun& run, const Look&) {
-  return page("rayaudit cost", compact(document(run)));
+  return page("rayaudit cost", compact(shortened(document(run))));
 }
 
 }  // namespace rayaudit

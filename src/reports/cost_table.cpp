@@ -29,11 +29,13 @@ std::string title(const CostRun& run) {
       0);
 }
 
-std::string legend(const Look& look) {
+std::string legend(const CostRun& run, const Look& look) {
   return wrapped(
       fmt::format(
           "Nanoseconds a case: the median of the rounds and its quartiles, measured here and now, "
-          "every way in turn on the same cases, on one processor. Wrong answers, false hits and "
+          "every way in turn on the same cases, on one processor; {} of them are spent on reading "
+          "a "
+          "case and writing an answer. Wrong answers, false hits and "
           "misses: per million cases; where none is wrong, so many at most, at 95%. Margin: the "
           "largest at which an answer is wrong, in u of the subject's format. Ulp, forced: the "
           "worst error of t in the subject's own ulps, and in units of what rounding the numbers "
@@ -42,7 +44,7 @@ std::string legend(const Look& look) {
           "of the time on the others; a dash where they cannot be told apart. The front{}: from "
           "the most accurate on, each way that is clearly faster than all more accurate ones: "
           "quartiles apart, and medians by {:.0f}% at least.",
-          look.everything ? " (*)" : "", 100 * apart),
+          nanoseconds(run.cost.idle.median), look.everything ? " (*)" : "", 100 * apart),
       0);
 }
 
@@ -106,7 +108,9 @@ std::string table(const Cell& cell, const CostRun& run, const Look& look, const 
   std::string text = heading(cell, static_cast<std::size_t>(families), ink);
   for (const Way* way : shown) text += row(*way, price_of(*way), look, ink);
   if (const std::size_t more = cell.ways.size() - shown.size(); more > 0)
-    text += ink.faint(fmt::format("    and {} ways that others are better than", more)) + '\n';
+    text += ink.faint(fmt::format("    and {} way{} that others are better than", more,
+                                  more == 1 ? "" : "s")) +
+            '\n';
   for (const Step& step : cell.steps()) text += wrapped(told(step), 4);
   return text + '\n';
 }
@@ -130,7 +134,7 @@ std::string absent(const CostRun& run) {
 
 std::string write_cost_table(const CostRun& run, const Look& look) {
   const Ink ink = {look.colour};
-  std::string text = title(run) + '\n' + legend(look) + '\n';
+  std::string text = title(run) + '\n' + legend(run, look) + '\n';
   for (const Cell& cell : run.cost.cells)
     if (is_shown(cell, run, look)) text += table(cell, run, look, ink);
   return text + absent(run) + surroundings(run.environment);

@@ -42,15 +42,20 @@ inline std::string written(const Json& report) {
   return report.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-/// The same with magnitudes, and no more room than it takes: what a page holds.
-inline std::string compact(Json report) {
+/// The same with no more room than it takes: what a page holds.
+inline std::string compact(const Json& report) {
+  return report.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// The same report, its figures as magnitudes.
+inline Json shortened(Json report) {
   const auto shorten = [](auto& self, Json& part) -> void {
     if (part.is_number_float()) part = magnitude(part.get<double>());
     if (part.is_structured())
       for (Json& each : part) self(self, each);
   };
   shorten(shorten, report);
-  return report.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return report;
 }
 
 }  // namespace rayaudit::json

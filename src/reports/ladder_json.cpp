@@ -61,15 +61,15 @@ Json document(const LadderRun& run) {
   Json climbs = Json::array();
   for (const Climb& climb : run.climbs) climbs.push_back(told(climb));
   return {{"schema", 1},
-       {"report", "ladder"},
-       {"tool", tool(run.version)},
-       {"command", run.command},
-       {"seed", run.plan.seed},
-       {"cases", run.plan.cases},
-       {"environment", json::told(run.environment)},
-       {"family",
-        {{"id", family.id}, {"about", family.about}, {"difficulty", family.difficulty->about}}},
-       {"climbs", climbs}};
+          {"report", "ladder"},
+          {"tool", tool(run.version)},
+          {"command", run.command},
+          {"seed", run.plan.seed},
+          {"cases", run.plan.cases},
+          {"environment", json::told(run.environment)},
+          {"family",
+           {{"id", family.id}, {"about", family.about}, {"difficulty", family.difficulty->about}}},
+          {"climbs", climbs}};
 }
 
 }  // namespace
@@ -77,7 +77,8 @@ Json document(const LadderRun& run) {
 std::string write_ladder_json(const LadderRun& run, const Look&) { return written(document(run)); }
 
 std::string write_ladder_html(const LadderRun& run, const Look&) {
-  return page("rayaudit ladder of " + std::string(run.plan.family->id), compact(document(run)));
+  return page("rayaudit ladder of " + std::string(run.plan.family->id),
+              compact(shortened(document(run))));
 }
 
 }  // namespace rayaudit

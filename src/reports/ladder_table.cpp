@@ -43,9 +43,11 @@ std::string legend(const LadderRun& run) {
           "and below, where any are, the per cent of wrong answers. Case: that forced error in "
           "ulps, in half of the hits, and the margin of half of the cases in u, both of the case "
           "and not of any routine. Holds to: the last k up to which the subject keeps {}. Slopes: "
-          "powers of two a step by which rise the error in ulps, the error of its own, and the "
-          "forced error in ulps, of all hits but one in 100: where the first follows the last, the "
-          "case is to blame.",
+          "powers of two a step by which rise the error in ulps of half of the hits, the error of "
+          "its "
+          "own of 99 in 100, and the forced error in ulps of half: where the first follows the "
+          "last, "
+          "the case is to blame.",
           bound),
       0);
 }

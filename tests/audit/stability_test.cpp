@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(an_error_forced_by_the_case_is_told_from_one_of_the_routine
     return climb(plan).front().slopes;
   };
   const Slopes stable = slopes("closest_approach", "grazing");
-  BOOST_TEST(stable.condition > 0.5);
+  BOOST_TEST(std::fabs(stable.condition - 0.5) < 0.1);  // dt/dx grows as the root of 2^k
   BOOST_TEST(std::fabs(stable.ulps - stable.condition) < 0.15);
   BOOST_TEST(std::fabs(stable.own) < 0.15);
   BOOST_TEST(slopes("textbook", "far").own > 0.3);

@@ -7,7 +7,7 @@ const cost_measures = {
 
 function cost_page(report, show) {
   const shapes = unique(report.cells.map(({ shape }) => shape));
-  const here = { report, shape: choice(shapes[0]), cases: choice(null), measure: choice("wrong") };
+  const here = { report, shape: choice(first_shape(shapes)), cases: choice(null), measure: choice("wrong") };
   const names = () => unique(report.cells.filter(({ shape }) => shape === here.shape.value).map(cell_name));
   here.cases.set(names()[0]);
   const cases = select("Cases", here.cases, () => names().map((name) => [name, name]));
@@ -141,7 +141,7 @@ function price_section(report, shapes) {
     "The same way on easy and on hard cases: 1 is a price that does not depend on the case. Medians, with their spread.",
     shapes.map((shape) => {
       const rows = prices.filter((price) => price.shape === shape).sort((a, b) => b.times[1] - a.times[1]);
-      return element("details", { open: shape === shapes[0] }, element("summary", {}, shape), table(`${shape}: the most dependent first`, columns, rows));
+      return element("details", { open: shape === first_shape(shapes) }, element("summary", {}, shape), table(`${shape}: the most dependent first`, columns, rows));
     }));
 }
 

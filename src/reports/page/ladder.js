@@ -12,7 +12,7 @@ function ladder_page(report, show) {
   const shapes = unique(climbs.map(({ shape }) => shape));
   const subjects = unique(climbs.map(({ subject }) => subject)).map((name) => climbs.find(({ subject }) => subject === name))
     .map(({ subject, format }) => ({ name: subject, format }));
-  const here = { report: { ...report, subjects }, shape: choice(shapes[0]), measure: choice("ulp max"), subjects: choice(first_subjects(subjects)) };
+  const here = { report: { ...report, subjects }, shape: choice(first_shape(shapes)), measure: choice("ulp max"), subjects: choice(first_subjects(subjects)) };
   const shown = () => climbs.filter(({ shape, subject }) => shape === here.shape.value && here.subjects.value.includes(subject));
   const measures = Object.entries(ladder_measures).filter(([measure]) => measure.split(" ")[0] in climbs[0].rungs[0]);
   const rows = element("div", {});

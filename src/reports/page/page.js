@@ -33,6 +33,11 @@ function choice(value) {
   };
 }
 
+/** The shape to begin with: the one that everybody knows, where it is there. */
+function first_shape(shapes) {
+  return shapes.includes("sphere") ? "sphere" : shapes[0];
+}
+
 /** A labelled select; options are [value, words], or a function that gives them anew. */
 function select(label, chosen, options) {
   const control = element("select", { onchange: () => chosen.set(control.value) });
