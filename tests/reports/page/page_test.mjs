@@ -14,7 +14,7 @@ const flags = ["--disable-dev-shm-usage", "--disable-gpu", "--disable-quic", "--
   "--disable-component-update", "--disable-sync"];
 const folder = mkdtempSync(join(tmpdir(), "rayaudit-page-"));
 const file = (name) => join(folder, name);
-setTimeout(() => process.exit(1), 55_000).unref();
+setTimeout(() => process.exit(1), 280_000).unref();
 process.on("exit", () => rmSync(folder, { recursive: true, force: true }));
 
 const report_of = (html) => /(<script type="application\/json" id="report">)(.*?)(<\/script>)/s.exec(html);
@@ -28,12 +28,18 @@ function with_report(report, name) {
   return name;
 }
 
-let browser;
-before(async () => {
-  const ended = spawnSync(process.env.RAYAUDIT, ["audit", "*/float", "*/double", "--shape", "sphere,cone", "--family", "anywhere,grazing,tangent",
-    "--cases", "500", "--report", `html=${file("audit.html")}`], { encoding: "utf8" });
+/** Lets the program write a page. */
+function written(name, ...words) {
+  const ended = spawnSync(process.env.RAYAUDIT, [...words, "--report", `html=${file(name)}`], { encoding: "utf8" });
   if (/has no html reports/.test(ended.stderr)) process.exit(77);
   assert.equal(ended.status, 0, ended.stderr);
+}
+
+let browser;
+before(async () => {
+  written("audit.html", "audit", "*/float", "*/double", "--shape", "sphere,cone", "--family", "anywhere,grazing,tangent", "--cases", "500");
+  written("measured.html", "cost", "textbook/*", "certified/*", "--shape", "disk,sphere", "--family", "anywhere,grazing", "--cases", "256", "--rounds", "3");
+  written("climbed.html", "ladder", "textbook/float", "certified/float", "--shape", "sphere", "--cases", "256");
   browser = await playwright.chromium.launch({ executablePath: process.env.CHROMIUM, chromiumSandbox: false, args: flags });
 });
 after(() => browser?.close());
@@ -41,7 +47,7 @@ after(() => browser?.close());
 /** Opens a page, lets a visitor act on it, and holds that it was quiet and fetched nothing. */
 async function visit(name, act, options = {}) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...options });
-  page.setDefaultTimeout(5000);
+  page.setDefaultTimeout(20_000);
   const said = [], fetched = [];
   page.on("console", (message) => said.push(`${message.type()}: ${message.text()}`));
   page.on("pageerror", (error) => said.push(error.stack));
@@ -81,6 +87,19 @@ test("every chart has marks", async () => {
     await visit(name, async (page) => {
       for (const id of ids) assert.ok((await marks(page, id)) >= 3, `${id} in ${name}`);
     });
+});
+
+test("the pages of a cost and a ladder that were measured have all that they are read for", async () => {
+  await visit("measured.html", async (page) => {
+    assert.ok((await marks(page, "front")) >= 2);
+    const told = await page.textContent("main");
+    assert.match(told, /from textbook\/\S+ to \S+: [\d.]+ times the time/);
+    assert.match(told, /certified\/double/);
+  });
+  await visit("climbed.html", async (page) => {
+    for (const id of ["ladder-errors", "ladder-wrong", "ladder-margins"]) assert.ok((await marks(page, id)) >= 2, id);
+    assert.match(await page.textContent("main"), /textbook\/float/);
+  });
 });
 
 test("what the cases force is drawn in a ladder whose first subject has no errors", async () => {
