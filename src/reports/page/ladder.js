@@ -2,8 +2,8 @@
 
 const ladder_measures = {
   "ulp max": "largest error, ulps", "ulp p99": "99 % of errors, ulps", "ulp p50": "half of errors, ulps",
-  "own max": "largest error, times what the case forces or an ulp, the larger", "own p99": "99 % of errors, times what the case forces or an ulp, the larger",
-  "forced max": "largest error, times what the case forces", "forced p99": "99 % of errors, times what the case forces",
+  "own max": "largest error of its own", "own p99": "99 % of errors of its own",
+  "forced max": "largest error, times the forced", "forced p99": "99 % of errors, times the forced",
 };
 const ladder_charts = ["ladder-errors", "ladder-wrong", "ladder-margins"];
 
@@ -28,7 +28,7 @@ function ladder_page(report, show) {
       "Errors against difficulty",
       "A stable routine is flat, or rises no faster than the grey dashes: what the cases themselves force.",
       controls(shape_control(), select("Height", here.measure, measures), boxes("Subjects", here.subjects, subjects.map(({ name }) => name))),
-      chart("ladder-errors", "Error of t of right hits. Dashed grey: what rounding the numbers of a case once does to t, half of the cases.", () => error_lines(here, shown()))),
+      chart("ladder-errors", "Error of t of right hits. Dashed grey: what rounding the numbers of a case once would do to t (the forced error), in half of the hits. Of its own: in units of the larger of an ulp and the forced error.", () => error_lines(here, shown()))),
     section(
       "Wrong answers against difficulty",
       "A line that leaves the bottom is a subject that has begun to be wrong.",
