@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <string>
 
 namespace rayaudit {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Nanoseconds that a batch may take.
+constexpr double longest = 2e9;
 
 /// Nanoseconds that a subject takes to answer. Its batch is another source's: no compiler can
 /// leave out answers that nobody reads.
@@ -50,6 +55,10 @@ std::vector<std::vector<double>> timed(
       if (failed[place]) continue;
       try {
         const double taken = nanoseconds(course, std::span(answers).first(size));
+        if (taken > longest)
+          throw NoAnswer(course.subject->name +
+                         " needs too long: " + std::to_string(std::lround(taken / 1e9)) +
+                         " s for " + std::to_string(size) + " cases");
         if (round >= 0) times[place].push_back(taken / static_cast<double>(size));
       } catch (const NoAnswer& reason) {
         failed[place] = true;

@@ -30,8 +30,8 @@ struct Course {
 };
 
 /// Nanoseconds a case in each round, for each course, and nothing for a subject that failed on its
-/// way. A round takes every course once, each time another first; the round before the first
-/// warms all up, and does not count.
+/// way, or took over two seconds for a batch. A round takes every course once, each time another
+/// first; the round before the first warms all up, and does not count.
 std::vector<std::vector<double>> timed(
     std::span<const Course> courses, int rounds,
     const std::function<void(const Course&, const NoAnswer&)>& fail);
