@@ -13,10 +13,11 @@ struct Accuracy {
 
   std::uint64_t cases = 0, wrong = 0;
   std::array<std::uint64_t, verdict_count> verdicts = {};
+  std::uint64_t bare = 0;            ///< answers that say yes and not where
   double wrong_margin = unmeasured;  ///< the largest, in u of the subject's format
   double ulps = unmeasured;          ///< the largest error of t, in the subject's format
   double forced = unmeasured;        ///< the same in units of what rounding the case once would do
-  double error = unmeasured;         ///< the same in ulps of float, whatever the format
+  double error = unmeasured;  ///< the same of proper hits in ulps of float, whatever the format
 
   void add(const Tally& tally, const Format& format);
   void add(const Accuracy& other);
@@ -29,7 +30,8 @@ struct Accuracy {
 };
 
 /// Less is more accurate: fewer wrong answers, or as many and a worst error of a smaller power of
-/// two. A subject that tells no t comes after those that do.
+/// two. Who says yes and not where comes after all that tell t; who had no proper hit to tell,
+/// before.
 std::partial_ordering operator<=>(const Accuracy& a, const Accuracy& b);
 
 }  // namespace rayaudit

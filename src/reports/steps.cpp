@@ -44,9 +44,6 @@ std::string plural(Verdict verdict) {
   }
 }
 
-std::string error(const Accuracy& accuracy) {
-  return std::isnan(accuracy.error) ? "no t" : magnitude(accuracy.error);
-}
 
 }  // namespace
 
@@ -67,9 +64,11 @@ std::string told(const Step& step) {
     const Verdict mended = most_mended(step);
     text += fmt::format(" ({} {} to {})", plural(mended), whole(from->accuracy.per_million(mended)),
                         whole(to->accuracy.per_million(mended)));
+  } else if (from->accuracy.bare > 0) {
+    text += ", and t is told";
   } else {
-    text += fmt::format(", worst error {} to {} ulps of float", error(from->accuracy),
-                        error(to->accuracy));
+    text += fmt::format(", worst error {} to {} ulps of float", magnitude(from->accuracy.error),
+                        magnitude(to->accuracy.error));
   }
   return text;
 }
