@@ -5,11 +5,19 @@
 namespace rayaudit {
 namespace {
 
-/// The power of two nearest to the worst error, as its exponent.
-double scale_of(const Accuracy& accuracy) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (accuracy.bare > 0) return infinity;
-  return std::isnan(accuracy.error) ? -infinity : std::round(std::log2(accuracy.error));
+/// The worst error, where not telling t is worse than any and no proper hit as good as none.
+double error_of(const Accuracy& accuracy) {
+  if (accuracy.bare > 0) return std::numeric_limits<double>::infinity();
+  return std::isnan(accuracy.error) ? 0 : accuracy.error;
+}
+
+/// The power of two nearest to it, as its exponent.
+double scale_of(const Accuracy& accuracy) { return std::round(std::log2(error_of(accuracy))); }
+
+/// How far chance may move a share of wrong answers: twice the deviation of a count.
+double chance(const Accuracy& accuracy) {
+  const double cases = static_cast<double>(accuracy.cases);
+  return 2 * std::sqrt(accuracy.share() / cases);
 }
 
 }  // namespace
@@ -18,7 +26,7 @@ void Accuracy::add(const Tally& tally, const Format& format) {
   Accuracy one = {tally.cases, tally.wrong(), tally.verdicts, tally.bare};
   if (const Worst* widest = tally.widest()) one.wrong_margin = widest->severity;
   if (tally.ulps.count() > 0) one.ulps = tally.ulps.largest();
-  one.error = std::ldexp(tally.proper_ulps, float_format.precision - format.precision);
+  one.error = std::ldexp(tally.proper_own, float_format.precision - format.precision);
   if (tally.forced.count() > 0) one.forced = tally.forced.largest();
   add(one);
 }
@@ -38,6 +46,14 @@ void Accuracy::add(const Accuracy& other) {
 std::partial_ordering operator<=>(const Accuracy& a, const Accuracy& b) {
   if (const auto by_share = a.share() <=> b.share(); by_share != 0) return by_share;
   return scale_of(a) <=> scale_of(b);
+}
+
+bool is_clearly_more_accurate(const Accuracy& a, const Accuracy& b) {
+  if (a.wrong == 0 && b.wrong > 0) return true;
+  const double less = b.share() - a.share();
+  const double by_chance = std::hypot(chance(a), chance(b));
+  if (std::fabs(less) > by_chance) return less > 0;
+  return 2 * error_of(a) <= error_of(b) && error_of(b) > 0;
 }
 
 }  // namespace rayaudit

@@ -17,7 +17,9 @@ struct Accuracy {
   double wrong_margin = unmeasured;  ///< the largest, in u of the subject's format
   double ulps = unmeasured;          ///< the largest error of t, in the subject's format
   double forced = unmeasured;        ///< the same in units of what rounding the case once would do
-  double error = unmeasured;  ///< the same of proper hits in ulps of float, whatever the format
+  /// The largest of its own of proper hits, in units of float: of the larger of an ulp and the
+  /// forced error in float, whatever the format.
+  double error = unmeasured;
 
   void add(const Tally& tally, const Format& format);
   void add(const Accuracy& other);
@@ -33,5 +35,9 @@ struct Accuracy {
 /// two. Who says yes and not where comes after all that tell t; who had no proper hit to tell,
 /// before.
 std::partial_ordering operator<=>(const Accuracy& a, const Accuracy& b);
+
+/// Is a more accurate, and not by chance: never wrong where b is, or less often by more than twice
+/// the deviation of the counts, or neither and its worst error half as large at most?
+bool is_clearly_more_accurate(const Accuracy& a, const Accuracy& b);
 
 }  // namespace rayaudit

@@ -63,8 +63,8 @@ class Measurement {
     for (const auto& [cases, subjects] : by_cases) judge(cases, subjects);
     Cost cost;
     if (!idle_rounds_.empty()) cost.idle = spread(std::move(idle_rounds_));
-    cost.untimed = std::move(untimed_);
     for (const std::size_t shape : plan_.shapes) add_shape(cost.cells, shape);
+    cost.untimed = std::move(untimed_);
     return cost;
   }
 
@@ -93,9 +93,8 @@ class Measurement {
     std::vector<Case> cases(std::min<std::uint64_t>(chunk_cases, plan_.cases));
     draw(*cell.family, cell.shape, float_format, {}, plan_.seed, 0, cases);
     std::vector<Course> courses;
-    for (const Way& way : cell.ways)
-      courses.push_back({way.subject, std::span(cases).first(way.timed)});
-    courses.push_back({&idle_, cases});
+    for (const Way& way : cell.ways) courses.push_back({way.subject, cases, way.timed});
+    courses.push_back({&idle_, cases, cases.size()});
     const auto fail = [&](const Course& course, const NoAnswer& why) { drop(course.subject, why); };
     const auto times = timed(courses, plan_.rounds, fail);
     std::uint64_t done = 0;
@@ -139,7 +138,9 @@ class Measurement {
     for (const Scope scope : {Scope::all, Scope::easy, Scope::hard})
       if (Cell sum = summed(shape, scope); !sum.ways.empty()) cells.push_back(std::move(sum));
     for (const Cell& cell : cells_)
-      if (cell.shape == shape) cells.push_back(finished(cell, {cell.family}));
+      if (cell.shape == shape)
+        if (Cell made = finished(cell, {cell.family}); !made.ways.empty())
+          cells.push_back(std::move(made));
   }
 
   Cell summed(std::size_t shape, Scope scope) {
@@ -154,8 +155,9 @@ class Measurement {
       }
       for (std::size_t i = 0; i < sum.ways.size(); ++i) {
         auto& rounds = sum.ways[i].rounds;
-        std::transform(rounds.begin(), rounds.end(), cell.ways[i].rounds.begin(), rounds.begin(),
-                       std::plus());
+        const auto& more = cell.ways[i].rounds;
+        rounds.resize(std::min(rounds.size(), more.size()));  // none where the subject failed
+        std::transform(rounds.begin(), rounds.end(), more.begin(), rounds.begin(), std::plus());
       }
     }
     for (Way& way : sum.ways) {
@@ -223,15 +225,28 @@ bool counts_in(Scope scope, const Family& family) {
 
 void mark_front(std::vector<Way>& ways) {
   std::vector<Way*> by_accuracy;
-  for (Way& way : ways) by_accuracy.push_back(&way);
+  for (Way& way : ways) {
+    way.on_front = false;
+    by_accuracy.push_back(&way);
+  }
   std::ranges::stable_sort(by_accuracy, [](const Way* a, const Way* b) {
     const auto order = a->accuracy <=> b->accuracy;
     return order != 0 ? order < 0 : a->nanoseconds.median < b->nanoseconds.median;
   });
-  const Way* fastest = nullptr;
+  std::vector<Way*> faster;  // each clearly so than the one before, and than all more accurate ones
+  double least = std::numeric_limits<double>::infinity();  // of all that are more accurate
   for (Way* way : by_accuracy) {
-    way->on_front = fastest == nullptr || is_clearly_less(way->nanoseconds, fastest->nanoseconds);
-    if (way->on_front) fastest = way;
+    const Spread& time = way->nanoseconds;
+    if (faster.empty() ||
+        (time.median < least && is_clearly_less(time, faster.back()->nanoseconds)))
+      faster.push_back(way);
+    least = std::min(least, time.median);
+  }
+  const Way* last = nullptr;
+  for (auto way = faster.rbegin(); way != faster.rend(); ++way) {
+    if (last != nullptr && !is_clearly_more_accurate((*way)->accuracy, last->accuracy)) continue;
+    (*way)->on_front = true;
+    last = *way;
   }
 }
 

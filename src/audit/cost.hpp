@@ -24,8 +24,8 @@ struct CostPlan {
   int threads = 0;  ///< to judge on; 0: one for each processor
 };
 
-/// The cases that a subject is judged by and timed on, of each shape and family: the first of
-/// those, fewer of dear subjects.
+/// The cases that a subject is judged by, and timed on in each round, of each shape and family:
+/// fewer of dear subjects, who are asked others of the same cases in the next round.
 std::uint64_t judged_cases(const CostPlan& plan, const Subject& subject);
 std::size_t timed_cases(const CostPlan& plan, const Subject& subject);
 
@@ -34,7 +34,7 @@ struct Way {
   const Subject* subject;
   std::vector<double> rounds;  ///< nanoseconds a case in each round
   Spread nanoseconds;
-  std::size_t timed;  ///< cases
+  std::size_t timed;  ///< cases in a round
   Accuracy accuracy;
   bool on_front = false;
 };
@@ -86,9 +86,10 @@ struct Cost {
   std::vector<Price> prices(std::size_t shape) const;
 };
 
-/// Marks the front: from the most accurate on, every way that is clearly faster than all that are
-/// more accurate. Of ways as accurate, or whose times cannot be told apart, the better one is on
-/// it, and nothing is both faster and more accurate.
+/// Marks the front. From the most accurate on it takes each way that is clearly faster than those
+/// it has, and slower than none that is more accurate; of these, from the fastest on, it keeps each
+/// that is clearly more accurate than the one before. So nothing is both faster and more accurate
+/// than a way on it, and each step along it is more than chance.
 void mark_front(std::vector<Way>& ways);
 
 /// Times and judges. What is told is measured here and now, and differs from run to run but for

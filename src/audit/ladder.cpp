@@ -110,7 +110,7 @@ std::optional<int> Climb::holds_to() const {
 
 std::vector<int> rungs_of(const Family& family, const Format& format) {
   const int least = family.difficulty->least, most = family.difficulty->most(format);
-  const int step = 1 + (most - least) / most_rungs;
+  const int step = std::max(1, (most - least + most_rungs - 2) / (most_rungs - 1));
   std::vector<int> rungs;
   for (int k = least; k < most; k += step) rungs.push_back(k);
   rungs.push_back(most);

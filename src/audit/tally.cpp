@@ -135,7 +135,7 @@ void Tally::add(const Settled& settled, const Answer& answer, const Judgement& j
   if (settled.truth().invalid == oracle::Invalid::no)
     ++(settled.truth().stage == oracle::Stage::interval ? by_interval : by_exact);
   bare += answer.form == Answer::Form::yes;
-  if (judgement.verdict != Verdict::touch) proper_ulps = std::fmax(proper_ulps, judgement.ulps);
+  if (judgement.verdict != Verdict::touch) proper_own = std::fmax(proper_own, judgement.own);
   ulps.add(judgement.ulps);
   forced.add(judgement.forced);
   own.add(judgement.own);
@@ -166,7 +166,7 @@ void Tally::merge(const Tally& other) {
   by_interval += other.by_interval;
   by_exact += other.by_exact;
   bare += other.bare;
-  proper_ulps = std::fmax(proper_ulps, other.proper_ulps);
+  proper_own = std::fmax(proper_own, other.proper_own);
   ulps.merge(other.ulps);
   forced.merge(other.forced);
   own.merge(other.own);

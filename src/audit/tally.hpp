@@ -77,8 +77,8 @@ struct Tally {
   std::uint64_t by_interval = 0, by_exact = 0;
   std::uint64_t bare = 0;  ///< answers that say yes and not where
   Histogram ulps, forced, own, distance, condition;
-  /// The largest error among hits that are no matter of convention; NaN where there are none.
-  double proper_ulps = Judgement::unmeasured;
+  /// The largest own error of hits that are no matter of convention; NaN where there are none.
+  double proper_own = Judgement::unmeasured;
   std::optional<Worst> worst_ulps = {}, worst_forced = {}, worst_own = {};
   MarginCurve curve;  ///< of the share that is looked into closely
   Certificate certificate;

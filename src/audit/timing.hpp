@@ -23,10 +23,12 @@ class Pinned {
   std::optional<cpu_set_t> before_;  ///< where it might run; nothing where it could not be pinned
 };
 
-/// A subject on cases of one shape.
+/// A subject on cases of one shape, so many in each round: the next ones each time, and after the
+/// last the first again.
 struct Course {
   const Subject* subject;
   std::span<const Case> cases;
+  std::size_t each_round;
 };
 
 /// Nanoseconds a case in each round, for each course, and nothing for a subject that failed on its

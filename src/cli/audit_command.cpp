@@ -6,6 +6,7 @@
 #include "audit/audit.hpp"
 #include "cli/bounds_option.hpp"
 #include "cli/command.hpp"
+#include "cli/command_text.hpp"
 #include "cli/convention_option.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/fail_on.hpp"

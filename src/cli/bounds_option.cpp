@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 
 #include "cli/exit_code.hpp"
@@ -47,18 +45,6 @@ std::string seen(const Broken& broken) {
                      figures::grouped(broken.audit->tally.cases));
 }
 
-/// A word as a shell takes it for itself.
-std::string quoted(const std::string& word) {
-  const auto is_plain = [](char letter) {
-    return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
-           std::string_view("_-./,=+").find(letter) != std::string_view::npos;
-  };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
-  std::string text = "'";
-  for (const char letter : word) text += letter == '\'' ? "'\\''" : std::string(1, letter);
-  return text + '\'';
-}
-
 }  // namespace
 
 std::vector<Bound> read_bounds_file(const std::string& path) {
@@ -93,16 +79,6 @@ std::string write_bounds(const std::vector<Bound>& bounds, const std::vector<std
   for (const Bound& bound : bounds)
     text += fmt::format("{:<{}} {:<{}} {:<{}}{}\n", bound.subject, subject, bound.shape, shape,
                         bound.family, family, whole_promise(bound));
-  return text;
-}
-
-std::string command_text(const CLI::App& command) {
-  std::string text = "rayaudit " + command.get_name();
-  for (const CLI::Option* option : command.get_options())
-    for (const std::string& value : option->results()) {
-      if (!option->get_positional()) text += ' ' + option->get_name();
-      if (option->get_expected_max() > 0) text += ' ' + quoted(value);
-    }
   return text;
 }
 

@@ -6,10 +6,6 @@
 #include "audit/audit.hpp"
 #include "audit/ladder.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace rayaudit {
 
 /// Reads the bounds of a file, or of standard input for `-`. Throws Error where it cannot be read,
@@ -21,9 +17,6 @@ std::string row(const Bound& bound);
 
 /// The bounds in a file's columns, below comment lines: those of the head, and what a row is.
 std::string write_bounds(const std::vector<Bound>& bounds, const std::vector<std::string>& head);
-
-/// The command line that a command was read from, as a shell takes it.
-std::string command_text(const CLI::App& command);
 
 /// What is broken by whom, what was seen, and the command that shows it, in one sentence.
 std::string told(const Broken& broken, const Convention& convention);

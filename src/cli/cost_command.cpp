@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "audit/cost.hpp"
-#include "cli/bounds_option.hpp"
 #include "cli/command.hpp"
+#include "cli/command_text.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/names.hpp"
 #include "cli/option.hpp"
@@ -25,6 +25,7 @@ struct CostOptions {
 
 /// Every way to answer where none is named: what is audited by name only takes part too.
 std::vector<const Subject*> ways(const std::vector<std::string>& patterns) {
+  require_present(patterns);
   std::vector<const Subject*> subjects;
   for (const std::size_t i :
        selected("subject", patterns, names_of(all_subjects(), &Subject::name)))

@@ -3,6 +3,7 @@
 #include "audit/ladder.hpp"
 #include "cli/bounds_option.hpp"
 #include "cli/command.hpp"
+#include "cli/command_text.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/names.hpp"
 #include "cli/option.hpp"

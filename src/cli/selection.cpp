@@ -21,7 +21,15 @@ bool reaches(const std::string& pattern, const std::vector<Subject>& all, std::s
 
 }  // namespace
 
+void require_present(const std::vector<std::string>& patterns) {
+  for (const std::string& pattern : patterns)
+    for (const auto& [subjects, why] : absent_subjects())
+      if (matches(subjects, pattern))
+        throw Error(fmt::format("subject `{}` is not here: {}", pattern, why));
+}
+
 std::vector<const Subject*> selected_subjects(const std::vector<std::string>& patterns) {
+  require_present(patterns);
   const std::vector<Subject>& all = all_subjects();
   const std::vector<std::string> asked =
       patterns.empty() ? std::vector<std::string>{"*"} : patterns;

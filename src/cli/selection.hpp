@@ -20,6 +20,9 @@ inline constexpr std::int64_t largest_cases = 1'000'000'000'000'000;
 /// where a name is not known, NothingAudited where a glob matches nothing.
 std::vector<const Subject*> selected_subjects(const std::vector<std::string>& patterns);
 
+/// Throws Error where a name or glob asks for subjects that this build or place does not have.
+void require_present(const std::vector<std::string>& patterns);
+
 /// The shapes that a family draws.
 std::vector<std::size_t> shapes_of(const Family& family);
 

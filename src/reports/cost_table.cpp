@@ -23,7 +23,7 @@ std::string nanoseconds(double x) {
 std::string title(const CostRun& run) {
   return wrapped(
       fmt::format("rayaudit {}: what being right costs; {} cases for each way, shape and family, "
-                  "drawn as floats; {} rounds of up to {} cases; seed {}",
+                  "drawn as floats; {} rounds of {} of them; of dear ways fewer; seed {}",
                   run.version, grouped(run.plan.cases), run.plan.rounds,
                   grouped(std::min<std::uint64_t>(run.plan.cases, chunk_cases)), run.plan.seed),
       0);
@@ -33,17 +33,18 @@ std::string legend(const CostRun& run, const Look& look) {
   return wrapped(
       fmt::format(
           "Nanoseconds a case: the median of the rounds and its quartiles, measured here and now, "
-          "every way in turn on the same cases, on one processor; {} of them are spent on reading "
-          "a "
-          "case and writing an answer. Wrong answers, false hits and "
-          "misses: per million cases; where none is wrong, so many at most, at 95%. Margin: the "
-          "largest at which an answer is wrong, in u of the subject's format. Ulp, forced: the "
-          "worst error of t in the subject's own ulps, and in units of what rounding the numbers "
-          "of the case once would do to t. Error: the worst in ulps of float, whatever the "
-          "format. Hard: the time on families of degenerate cases and those near them, in units "
-          "of the time on the others; a dash where they cannot be told apart. The front{}: from "
-          "the most accurate on, each way that is clearly faster than all more accurate ones: "
-          "quartiles apart, and medians by {:.0f}% at least.",
+          "every way in turn on the same cases, on one processor; up to {} of them are spent on "
+          "reading a case and writing an answer. Wrong answers, false hits and misses: per million "
+          "cases; where none is wrong, so many at most, at 95%. Margin: the largest at which an "
+          "answer is wrong, in u of the subject's format. Ulp, forced: the worst error of t in the "
+          "subject's own ulps, and in units of what rounding the numbers of the case once would do "
+          "to t. Error: the worst of its own among proper hits, in units of float, whatever the "
+          "format: of the larger of an ulp and that forced error. Hard: the time on families of "
+          "degenerate cases and those near them, in units of the time on the others; a dash where "
+          "they cannot be told apart. The front{}: from the most accurate on, each way that is "
+          "clearly faster (quartiles apart, medians by {:.0f}% at least) and slower than none more "
+          "accurate; of these each that is clearly more accurate than the next faster one: never "
+          "wrong where that is, or less often by more than chance, or with half its error at most.",
           nanoseconds(run.cost.idle.median), look.everything ? " (*)" : "", 100 * apart),
       0);
 }
@@ -51,10 +52,11 @@ std::string legend(const CostRun& run, const Look& look) {
 std::string heading(const Cell& cell, std::size_t families, const Ink& ink) {
   const std::string of = cell.scope == Scope::family ? fmt::format("family {}", cell.family->id)
                          : cell.scope == Scope::all
-                             ? fmt::format("{} families", families)
-                             : fmt::format("the {} {} families", families, name(cell.scope));
+                             ? fmt::format("{} famil{}", families, families == 1 ? "y" : "ies")
+                             : fmt::format("the {} {} famil{}", families, name(cell.scope),
+                                           families == 1 ? "y" : "ies");
   return ink.heading(fmt::format("{:<34}", fmt::format("{}, {}", shape_names[cell.shape], of))) +
-         fmt::format("{:>7}{:>14}{:>12}{:>9}{:>9}{:>8}{:>8}{:>8}{:>8}{:>6}\n", "ns", "quartiles",
+         fmt::format("{:>7}{:>15}{:>14}{:>9}{:>9}{:>8}{:>8}{:>8}{:>8}{:>6}\n", "ns", "quartiles",
                      "wrong", "f. hits", "f. miss", "margin", "ulp", "forced", "error", "hard");
 }
 
@@ -73,9 +75,9 @@ std::string row(const Way& way, const Price* price, const Look& look, const Ink&
     const double count = accuracy.per_million(verdict);
     return count == 0 ? "-" : grouped(static_cast<std::uint64_t>(count + 0.5));
   };
-  const std::string wrong = fmt::format("{:>12}", per_million(accuracy));
+  const std::string wrong = fmt::format("{:>14}", per_million(accuracy));
   const std::string text = fmt::format(
-      "  {}{:<30}{:>7}{:>14}{}{:>9}{:>9}{:>8}{:>8}{:>8}{:>8}{:>6}",
+      "  {}{:<30}{:>7} {:>14}{}{:>9}{:>9}{:>8}{:>8}{:>8}{:>8}{:>6}",
       !look.everything ? "  "
       : way.on_front   ? "* "
                        : "  ",

@@ -14,7 +14,7 @@ namespace rayaudit::json {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON has no infinity and no NaN: they become "inf" and null.
+/// JSON has no infinity and no NaN: they become "inf", "-inf" and null.
 inline Json number(double x) {
   if (std::isnan(x)) return nullptr;
   if (std::isinf(x)) return x > 0 ? "inf" : "-inf";

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "reports/explain_line.hpp"
@@ -44,10 +45,8 @@ std::string legend(const LadderRun& run) {
           "ulps, in half of the hits, and the margin of half of the cases in u, both of the case "
           "and not of any routine. Holds to: the last k up to which the subject keeps {}. Slopes: "
           "powers of two a step by which rise the error in ulps of half of the hits, the error of "
-          "its "
-          "own of 99 in 100, and the forced error in ulps of half: where the first follows the "
-          "last, "
-          "the case is to blame.",
+          "its own of 99 in 100, and the forced error in ulps of half: where the first follows the "
+          "last, the case is to blame.",
           bound),
       0);
 }
@@ -58,11 +57,18 @@ std::vector<int> columns(const std::vector<const Climb*>& climbs) {
   for (const Climb* climb : climbs)
     for (const Rung& rung : climb->rungs) all.insert(rung.k);
   const std::vector<int> rungs(all.begin(), all.end());
-  if (rungs.size() <= most_columns) return rungs;
-  std::vector<int> chosen;
+  std::set<int> chosen;
   for (std::size_t i = 0; i < most_columns; ++i)
-    chosen.push_back(rungs[i * (rungs.size() - 1) / (most_columns - 1)]);
-  return chosen;
+    chosen.insert(rungs[i * (rungs.size() - 1) / (most_columns - 1)]);
+  // Each format ends at a k of its own: in place of the column next to it.
+  for (const Climb* climb : climbs) {
+    const int last = climb->rungs.back().k;
+    if (chosen.contains(last)) continue;
+    const auto before = std::prev(chosen.upper_bound(last));
+    if (before != chosen.begin()) chosen.erase(before);
+    chosen.insert(last);
+  }
+  return {chosen.begin(), chosen.end()};
 }
 
 const Rung* rung_at(const Climb& climb, int k) {
@@ -132,8 +138,11 @@ std::string table(const std::vector<const Climb*>& climbs, const Ink& ink) {
   for (const int k : chosen) heading += fmt::format("{:>7}", fmt::format("k={}", k));
   std::string text = ink.heading(heading) + '\n';
   for (const Climb* climb : climbs) text += rows(*climb, chosen, ink);
-  for (const Format& format : {float_format, double_format, long_double_format})
-    text += case_rows(climbs, format, chosen, ink);
+  std::vector<Format> formats;
+  for (const Climb* climb : climbs)
+    if (const Format& format = climb->subject->format; std::ranges::count(formats, format) == 0)
+      formats.push_back(format);
+  for (const Format& format : formats) text += case_rows(climbs, format, chosen, ink);
   return text + '\n';
 }
 

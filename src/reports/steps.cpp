@@ -21,8 +21,9 @@ std::string whole(double per_million) {
 
 /// The wrong verdict that a step does most about.
 Verdict most_mended(const Step& step) {
-  constexpr std::array wrong = {Verdict::false_hit, Verdict::false_miss, Verdict::wrong_root,
-                                Verdict::wrong_t, Verdict::not_finite};
+  constexpr std::array wrong = {Verdict::false_hit,  Verdict::false_miss,
+                                Verdict::wrong_root, Verdict::wrong_t,
+                                Verdict::not_finite, Verdict::invalid_mishandled};
   const auto less = [&](Verdict verdict) {
     return step.from->accuracy.per_million(verdict) - step.to->accuracy.per_million(verdict);
   };
@@ -39,11 +40,12 @@ std::string plural(Verdict verdict) {
       return "wrong roots";
     case Verdict::wrong_t:
       return "wrong t";
+    case Verdict::invalid_mishandled:
+      return "invalid cases mishandled";
     default:
       return "t that are not finite";
   }
 }
-
 
 }  // namespace
 
@@ -67,7 +69,7 @@ std::string told(const Step& step) {
   } else if (from->accuracy.bare > 0) {
     text += ", and t is told";
   } else {
-    text += fmt::format(", worst error {} to {} ulps of float", magnitude(from->accuracy.error),
+    text += fmt::format(", worst error {} to {} units of float", magnitude(from->accuracy.error),
                         magnitude(to->accuracy.error));
   }
   return text;
