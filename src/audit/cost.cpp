@@ -55,12 +55,17 @@ class Measurement {
   Cost made() {
     {
       const Pinned here;
-      for (Cell& cell : cells_) time(cell);
+      for (Cell& cell : cells_) {
+        leave_out_untimed(cell);
+        time(cell);
+      }
     }
     std::map<std::uint64_t, std::vector<const Subject*>> by_cases;
     for (const Subject* subject : plan_.subjects)
       if (!is_untimed(subject)) by_cases[judged_cases(plan_, *subject)].push_back(subject);
     for (const auto& [cases, subjects] : by_cases) judge(cases, subjects);
+    for (Cell& cell : cells_) leave_out_untimed(cell);
+    std::erase_if(cells_, [](const Cell& cell) { return cell.ways.empty(); });
     Cost cost;
     if (!idle_rounds_.empty()) cost.idle = spread(std::move(idle_rounds_));
     for (const std::size_t shape : plan_.shapes) add_shape(cost.cells, shape);
@@ -82,6 +87,10 @@ class Measurement {
   }
   void drop(const Subject* subject, const NoAnswer& why) {
     if (!is_untimed(subject)) untimed_.push_back({subject, why.what()});
+  }
+
+  void leave_out_untimed(Cell& cell) {
+    std::erase_if(cell.ways, [&](const Way& way) { return is_untimed(way.subject); });
   }
 
   void told(std::uint64_t done) {
@@ -138,9 +147,7 @@ class Measurement {
     for (const Scope scope : {Scope::all, Scope::easy, Scope::hard})
       if (Cell sum = summed(shape, scope); !sum.ways.empty()) cells.push_back(std::move(sum));
     for (const Cell& cell : cells_)
-      if (cell.shape == shape)
-        if (Cell made = finished(cell, {cell.family}); !made.ways.empty())
-          cells.push_back(std::move(made));
+      if (cell.shape == shape) cells.push_back(finished(cell, {cell.family}));
   }
 
   Cell summed(std::size_t shape, Scope scope) {
@@ -155,9 +162,8 @@ class Measurement {
       }
       for (std::size_t i = 0; i < sum.ways.size(); ++i) {
         auto& rounds = sum.ways[i].rounds;
-        const auto& more = cell.ways[i].rounds;
-        rounds.resize(std::min(rounds.size(), more.size()));  // none where the subject failed
-        std::transform(rounds.begin(), rounds.end(), more.begin(), rounds.begin(), std::plus());
+        std::transform(rounds.begin(), rounds.end(), cell.ways[i].rounds.begin(), rounds.begin(),
+                       std::plus());
       }
     }
     for (Way& way : sum.ways) {
@@ -167,9 +173,8 @@ class Measurement {
     return finished(std::move(sum), families);
   }
 
-  /// The cell without what failed, with all that follows from times and verdicts.
+  /// The cell with all that follows from times and verdicts.
   Cell finished(Cell cell, const std::vector<const Family*>& families) {
-    std::erase_if(cell.ways, [&](const Way& way) { return is_untimed(way.subject); });
     for (Way& way : cell.ways) {
       way.nanoseconds = spread(way.rounds);
       for (const Family* family : families)

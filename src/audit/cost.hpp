@@ -70,7 +70,7 @@ struct Price {
   Spread times;
 };
 
-/// A subject that could not be timed, and why, in a sentence.
+/// A subject that could not be timed, and why, in a sentence that names it.
 struct Untimed {
   const Subject* subject;
   std::string why;

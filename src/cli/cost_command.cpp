@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "audit/cost.hpp"
 #include "cli/command.hpp"
 #include "cli/command_text.hpp"
@@ -47,8 +45,7 @@ CostPlan plan_of(const CostOptions& options) {
 
 /// A subject that could not be timed is a finding.
 int told_untimed(const Cost& cost) {
-  for (const auto& [subject, why] : cost.untimed)
-    complain(fmt::format("{} could not be timed: {}", subject->name, why));
+  for (const Untimed& each : cost.untimed) complain(each.why);
   return cost.untimed.empty() ? all_held : found;
 }
 

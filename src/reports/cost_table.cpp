@@ -55,8 +55,8 @@ std::string heading(const Cell& cell, std::size_t families, const Ink& ink) {
                              ? fmt::format("{} famil{}", families, families == 1 ? "y" : "ies")
                              : fmt::format("the {} {} famil{}", families, name(cell.scope),
                                            families == 1 ? "y" : "ies");
-  return ink.heading(fmt::format("{:<34}", fmt::format("{}, {}", shape_names[cell.shape], of))) +
-         fmt::format("{:>7}{:>15}{:>14}{:>9}{:>9}{:>8}{:>8}{:>8}{:>8}{:>6}\n", "ns", "quartiles",
+  return ink.heading(fmt::format("{:<35}", fmt::format("{}, {}", shape_names[cell.shape], of))) +
+         fmt::format("{:>7}{:>15}{:>13}{:>8}{:>8}{:>7}{:>7}{:>7}{:>8}{:>5}\n", "ns", "quartiles",
                      "wrong", "f. hits", "f. miss", "margin", "ulp", "forced", "error", "hard");
 }
 
@@ -73,11 +73,11 @@ std::string row(const Way& way, const Price* price, const Look& look, const Ink&
   const Accuracy& accuracy = way.accuracy;
   const auto verdicts = [&](Verdict verdict) {
     const double count = accuracy.per_million(verdict);
-    return count == 0 ? "-" : grouped(static_cast<std::uint64_t>(count + 0.5));
+    return count == 0 ? "-" : count == 1e6 ? "all" : whole(count);
   };
-  const std::string wrong = fmt::format("{:>14}", per_million(accuracy));
+  const std::string wrong = fmt::format("{:>13}", per_million(accuracy));
   const std::string text = fmt::format(
-      "  {}{:<30}{:>7} {:>14}{}{:>9}{:>9}{:>8}{:>8}{:>8}{:>8}{:>6}",
+      "{}{:<33}{:>7}{:>15}{}{:>8}{:>8}{:>7}{:>7}{:>7}{:>8}{:>5}",
       !look.everything ? "  "
       : way.on_front   ? "* "
                        : "  ",
@@ -127,8 +127,7 @@ std::string absent(const CostRun& run) {
   std::string text;
   for (const auto& [subjects, why] : absent_subjects())
     text += wrapped(fmt::format("Not measured: {}: {}", subjects, why), 0);
-  for (const auto& [subject, why] : run.cost.untimed)
-    text += wrapped(fmt::format("Not measured: {}: {}", subject->name, why), 0);
+  for (const Untimed& each : run.cost.untimed) text += wrapped("Not measured: " + each.why, 0);
   return text;
 }
 

@@ -105,7 +105,7 @@ std::string rows(const Climb& climb, const std::vector<int>& columns, const Ink&
   text += cells(climb, columns, [](const Rung& rung) { return magnitude(rung.own.all); });
   if (std::ranges::all_of(climb.rungs, [](const Rung& rung) { return rung.wrong == 0; }))
     return text;
-  return text + fmt::format("{:<56}", fmt::format("{:>54}", "% wrong")) +
+  return text + fmt::format("{:<57}", fmt::format("{:>55}", "% wrong")) +
          cells(climb, columns, [](const Rung& rung) { return percent(rung.wrong, rung.cases); });
 }
 
@@ -122,10 +122,10 @@ std::string case_rows(const std::vector<const Climb*>& climbs, const Format& for
       fullest = climb;
   if (fullest == nullptr) return "";
   const std::string name = fmt::format("  case in {}, ", format.name);
-  return ink.faint(fmt::format("{:<56}", name + "forced error in ulps") +
+  return ink.faint(fmt::format("{:<57}", name + "forced error in ulps") +
                    cells(*fullest, columns,
                          [](const Rung& rung) { return magnitude(rung.condition.half); })) +
-         ink.faint(fmt::format("{:<56}", name + "margin in u") +
+         ink.faint(fmt::format("{:<57}", name + "margin in u") +
                    cells(*fullest, columns, [](const Rung& rung) {
                      return rung.half_margin ? fmt::format("2^{}", *rung.half_margin) : "-";
                    }));

@@ -13,12 +13,6 @@ namespace {
 using figures::grouped;
 using figures::magnitude;
 
-/// A count per million as a whole number, or as `< 1` where it is one of more than a million.
-std::string whole(double per_million) {
-  if (per_million > 0 && per_million < 0.5) return "< 1";
-  return grouped(static_cast<std::uint64_t>(per_million + 0.5));
-}
-
 /// The wrong verdict that a step does most about.
 Verdict most_mended(const Step& step) {
   constexpr std::array wrong = {Verdict::false_hit,  Verdict::false_miss,
@@ -49,9 +43,16 @@ std::string plural(Verdict verdict) {
 
 }  // namespace
 
+std::string whole(double per_million) {
+  if (per_million > 0 && per_million < 0.5) return "< 1";
+  return grouped(static_cast<std::uint64_t>(per_million + 0.5));
+}
+
 std::string per_million(const Accuracy& accuracy) {
-  if (accuracy.wrong == 0)
-    return fmt::format("0, < {}", whole(3e6 / static_cast<double>(accuracy.cases)));
+  if (accuracy.wrong == 0) {
+    const double most = 3e6 / static_cast<double>(accuracy.cases);
+    return "0, < " + (most < 1 ? magnitude(most) : whole(most));
+  }
   return whole(1e6 * accuracy.share());
 }
 
