@@ -183,6 +183,14 @@ Json words(std::size_t count, const Tell& tell) {
   return all;
 }
 
+/// The places of the verdicts that count as wrong answers.
+Json wrong_verdicts() {
+  Json places = Json::array();
+  for (std::size_t i = 0; i < verdict_count; ++i)
+    if (is_wrong(static_cast<Verdict>(i))) places.push_back(i);
+  return places;
+}
+
 Json Page::told(const Run& run) {
   const Plan& plan = run.plan;
   Json audits = Json::array(), findings = Json::array();
@@ -202,6 +210,7 @@ Json Page::told(const Run& run) {
       {"families", family_list_},
       {"shapes", shape_names},
       {"verdicts", words<Verdict>(verdict_count, [](Verdict each) { return name(each); })},
+      {"wrong_verdicts", wrong_verdicts()},
       {"verdict_words", words<Verdict>(verdict_count, [](Verdict each) { return sentence(each); })},
       {"claim_words", words<Claim>(claim_count, [](Claim each) { return sentence(each); })},
       {"lines", line_list_},

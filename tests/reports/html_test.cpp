@@ -93,6 +93,7 @@ BOOST_AUTO_TEST_CASE(an_audit_is_told_with_its_verdicts_errors_margins_and_worst
   BOOST_TEST(report["verdicts"][outcome[0].get<int>()] == "false_miss");
   BOOST_TEST(outcome[2] == 7);
   BOOST_TEST(report["findings"][0]["routine"] == "mine");
+  BOOST_TEST(report["wrong_verdicts"] == Json({2, 3, 4, 5, 6, 8}));
 }
 
 BOOST_AUTO_TEST_CASE(a_case_line_is_told_once_with_what_stands_along_its_ray) {

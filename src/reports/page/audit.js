@@ -1,7 +1,5 @@
 // The page of an audit: who is wrong where, how often at which margin, by how much, and on which case.
 
-const wrong_verdicts = ["false_hit", "false_miss", "wrong_root", "wrong_t", "not_finite", "invalid_mishandled"];
-
 function audit_page(report, show) {
   const { subjects, families, shapes, audits } = report;
   const counted = (audit) => Object.fromEntries(report.verdicts.map((name, i) => [name, audit.verdicts[i]]));
@@ -9,7 +7,7 @@ function audit_page(report, show) {
   for (const audit of audits) {
     Object.assign(audit, { subject: subjects[audit.subject], family: families[audit.family].id, shape: shapes[audit.shape] });
     audit.counts = counted(audit);
-    audit.wrong = wrong_verdicts.reduce((sum, name) => sum + audit.counts[name], 0);
+    audit.wrong = report.wrong_verdicts.reduce((sum, verdict) => sum + audit.verdicts[verdict], 0);
     cells.set(`${audit.shape} ${audit.family} ${audit.subject.name}`, audit);
   }
   const of = (subject, shape, family) => cells.get(`${shape} ${family} ${subject}`);
@@ -21,11 +19,11 @@ function audit_page(report, show) {
     cell: choice(null),
     subjects: choice(first_subjects(subjects)),
   };
-  const seed = report.difficulty == null ? null : `difficulty ${report.difficulty}`;
+  const difficulty = report.difficulty == null ? null : `difficulty ${report.difficulty}`;
   show(
     heading(report, "Float routines held against exact arithmetic, case by case: who is wrong where, by how much, and on which case.", [
       ["command", report.command ? element("code", {}, report.command) : null],
-      ["cases", `${grouped(report.cases)} for each subject, shape and family${seed ? `, ${seed}` : ""}`],
+      ["cases", `${grouped(report.cases)} for each subject, shape and family${difficulty ? `, ${difficulty}` : ""}`],
       ["audits", `${grouped(audits.length)}: ${subjects.length} subjects, ${shapes.length} shapes, ${families.length} families`],
     ]),
     heat_section(here),
@@ -175,7 +173,7 @@ function cell_findings(here, audit) {
   const errors = audit.ulp
     ? `Error of t: half of the hits within ${magnitude(audit.ulp[0])} ulps, 99 % within ${magnitude(audit.ulp[1])}, all within ${magnitude(audit.ulp[2])}; ` +
       `at most ${magnitude(audit.forced?.[2])} times what the case forces.`
-    : "No error of t was measured: no hit was right.";
+    : "No error of t was measured: there was no hit at the right root.";
   const touches = audit.counts.touch ? ` Touches, a matter of convention: ${grouped(audit.counts.touch)}.` : "";
   const findings = audit.outcomes.map(([verdict, claim, count, margin, line, cause]) => ({
     words: `${spaced(report.verdicts[verdict])}: ${report.verdict_words[verdict]}${report.claim_words[claim]}`,
@@ -262,11 +260,11 @@ function margin_section(here) {
     const points = here.subjects.value.flatMap((subject) =>
       summed(chosen_audits(here, subject).flatMap(margins_of))
         .filter(([, [cases]]) => cases >= few_margins)
-        .map(([exponent, [cases, wrong]]) => ({ subject, margin: 2 ** (exponent + 1), share: wrong / cases, told: `${wrong} of ${cases} (${percent(wrong, cases)} %)` })));
+        .map(([exponent, [cases, wrong]]) => ({ subject, margin: 2 ** (exponent + 1), share: wrong / cases, told: `${grouped(wrong)} of ${grouped(cases)} (${percent(wrong, cases)} %)` })));
     if (!points.length) return "No margin was measured here.";
     const axis = with_zero(points.map(({ share }) => 100 * share), "wrong, per cent", "none");
     for (const point of points) point.y = axis.place(100 * point.share);
-    return lines_by(points, here, { field: "margin", title: "margin of the case, in u (how far its numbers must move for another truth)", scale: { type: "log", nice: false }, axis: log_axis(points.map(({ margin }) => margin)) }, axis, "margin, u");
+    return lines_by(points, here, { field: "margin", title: "margin of the case, in u (how far its numbers must move for another truth)", scale: { type: "log", nice: false }, axis: log_axis(points.map(({ margin }) => margin)) }, axis, ["margin, u", "wrong"]);
   };
   return section(
     "How often wrong, at which margin",
@@ -295,10 +293,10 @@ function error_section(here) {
   const id = "errors";
   const specify = () => {
     const points = here.subjects.value.flatMap((subject) => shares_by_octave(subject, chosen_audits(here, subject)));
-    if (!points.length) return "No hit was right here.";
+    if (!points.length) return "No hit was at the right root here.";
     const axis = with_zero(points.map(({ share }) => share), "hits, per cent", "none");
     for (const point of points) point.y = axis.place(point.share);
-    return lines_by(points, here, { field: "error", title: "error of t, in ulps of the subject's own format", scale: { type: "log", nice: false }, axis: log_axis(points.map(({ error }) => error)) }, axis, "ulps, from", { interpolate: "step-after", point: false, strokeWidth: 1.8 });
+    return lines_by(points, here, { field: "error", title: "error of t, in ulps of the subject's own format", scale: { type: "log", nice: false }, axis: log_axis(points.map(({ error }) => error)) }, axis, ["ulps, from", "hits with that error"], { interpolate: "step-after", point: false, strokeWidth: 1.8 });
   };
   return section(
     "How large the errors are",
@@ -307,12 +305,13 @@ function error_section(here) {
     chart(id, "Errors of t of hits at the right root, in octaves of ulps; the first step holds all that are smaller, the last all that are larger.", specify));
 }
 
-/** Lines of points by subject, over x. */
-function lines_by(points, here, x, axis, x_words, mark = {}) {
+/** Lines of points by subject, over x; words are those of x and of what is drawn. */
+function lines_by(points, here, x, axis, words, mark = {}) {
   const names = here.subjects.value.filter((name) => points.some(({ subject }) => subject === name));
   return {
+    figures: () => lines_in_figures(points, names, x.field, words),
     layer: [
-      ...(axis.band ? [axis.band] : []),
+      axis.band,
       {
         data: { values: points },
         mark: { type: "line", strokeWidth: 2, point: { size: 36, filled: true, strokeDash: [1, 0] }, ...mark },
@@ -320,7 +319,7 @@ function lines_by(points, here, x, axis, x_words, mark = {}) {
           x: { type: "quantitative", ...x },
           y: axis.y,
           ...series(names, here.report.subjects),
-          tooltip: [{ field: "subject", title: "subject" }, { field: x.field, title: x_words, format: ".3~g" }, { field: "told", title: "share" }],
+          tooltip: [{ field: "subject", title: "subject" }, { field: x.field, title: words[0], format: ".3~g" }, { field: "told", title: words[1] }],
         },
       },
     ],

@@ -1,6 +1,7 @@
 // Charts by Vega-Lite, drawn when they come into sight, and the others when nothing else is to do.
 
 const dark = matchMedia("(prefers-color-scheme: dark)");
+const narrow = matchMedia("(max-width: 540px)");
 const charts = new Map();
 /** The views of the charts by id, for scripts: await rayaudit.draw(id), then view.toSVG(). */
 window.rayaudit = { views: {}, draw };
@@ -27,13 +28,33 @@ function theme() {
   };
 }
 
-/** A figure that draws what specify() tells, a specification without width and height. */
+/**
+ * A figure that draws what specify() tells: a specification without width and height, which may have
+ * figures(), a table of the same; or words where there is nothing to draw. The caption is text, or a
+ * function that gives it anew.
+ */
 function chart(id, caption, specify) {
   const place = element("div", { id, class: "chart" });
-  charts.set(id, { place, specify, stale: true, drawing: Promise.resolve(), embedded: null });
+  const words = element("figcaption", {}), rows = element("div", {});
+  const details = element("details", { class: "in-figures", hidden: true, ontoggle: () => tell_figures(drawn) }, element("summary", {}, "the same in figures"), rows);
+  const drawn = { place, caption, words, details, rows, specify, stale: true, drawing: Promise.resolve(), embedded: null };
+  charts.set(id, drawn);
   sight.observe(place);
   when_idle(() => draw(id));
-  return element("figure", {}, element("figcaption", {}, caption), place);
+  return element("figure", {}, words, place, details);
+}
+
+/** Fills in the figures of a chart where they are open. */
+function tell_figures({ details, rows, figures }) {
+  details.hidden = !figures;
+  rows.replaceChildren(...(details.open && figures ? [figures()] : []));
+}
+
+/** What lines show: a row for each x, a column for each line. */
+function lines_in_figures(points, names, field, [x_words, y_words]) {
+  const told = new Map(points.map((point) => [`${point[field]} ${point.subject}`, point.told]));
+  const columns = names.map((name) => [name, (x) => told.get(`${x} ${name}`) ?? "–", true]);
+  return table(y_words, [[x_words, magnitude, true], ...columns], unique(points.map((point) => point[field])).sort((a, b) => a - b));
 }
 
 const when_idle = (act) =>
@@ -52,6 +73,10 @@ function draw(id) {
 async function embed(id, drawn) {
   drawn.stale = false;
   const spec = drawn.specify();
+  const { figures, ...chart } = typeof spec === "string" ? {} : spec;
+  drawn.figures = figures;
+  tell_figures(drawn);
+  drawn.words.textContent = typeof drawn.caption === "function" ? drawn.caption() : drawn.caption;
   drawn.embedded?.finalize();
   delete window.rayaudit.views[id];
   if (typeof spec === "string") {
@@ -59,10 +84,9 @@ async function embed(id, drawn) {
     drawn.embedded = null;
     return;
   }
-  const narrow = drawn.place.clientWidth < 500;
   drawn.embedded = await vegaEmbed(
     drawn.place,
-    { width: "container", height: narrow ? 280 : 360, autosize: { type: "fit", contains: "padding" }, ...spec },
+    { width: "container", height: narrow.matches ? 280 : 360, autosize: { type: "fit", contains: "padding" }, ...chart },
     {
       mode: "vega-lite",
       renderer: "svg",
@@ -81,7 +105,7 @@ function redraw(...ids) {
     draw(id);
   }
 }
-dark.addEventListener("change", () => redraw(...charts.keys()));
+for (const look of [dark, narrow]) look.addEventListener("change", () => redraw(...charts.keys()));
 
 const power_label = "datum.value <= 0 ? '' : datum.value >= 1e4 || datum.value < 1e-3 ? replace(format(datum.value, '.0e'), '+', '') : format(datum.value, '~g')";
 
@@ -116,26 +140,34 @@ function series(names, subjects) {
 }
 
 /**
- * An axis of logarithms with a band for 0 below its least positive value: the scale, a place for each
- * value, and the layer of the band.
+ * An axis of logarithms with a band for 0 below its least positive value, and one above for infinity
+ * where there is any: the scale, a place for each value, and the layer of the bands.
  */
 function with_zero(values, title, zero) {
   const shown = values.filter(positive);
-  const least = shown.length ? Math.min(...shown) : 1;
-  const most = shown.length ? Math.max(...shown) : 1;
-  const floor = 10 ** (Math.floor(Math.log10(least) + 1e-9) - 1);
-  const ceiling = 10 ** Math.max(Math.ceil(Math.log10(most) - 1e-9), Math.log10(floor) + 2);
-  const ticks = [floor, ...ticks_between(10 * floor, ceiling, 8)];
+  // What is beyond 1e290 and 1e-290 is placed there, so that the bands are numbers too.
+  const power = (x, round) => Math.min(290, Math.max(-290, round(Math.log10(x))));
+  const least = power(shown.length ? Math.min(...shown) : 1, (x) => Math.floor(x + 1e-9));
+  const most = Math.max(least + 1, power(shown.length ? Math.max(...shown) : 1, (x) => Math.ceil(x - 1e-9)));
+  const step = Math.min(12, Math.max(1, 0.08 * (most - least)));
+  const floor = 10 ** (least - step), lowest = 10 ** least, highest = 10 ** most, ceiling = 10 ** (most + step), edge = 10 ** (0.35 * step);
+  const has_infinite = values.includes(Infinity);
+  const domain = [floor / edge, has_infinite ? ceiling * edge : highest * 10 ** (0.02 * (most - least))];
+  const ticks = [floor, ...ticks_between(lowest, highest, 8), ...(has_infinite ? [ceiling] : [])];
+  const bands = [floor, ...(has_infinite ? [ceiling] : [])].map((at) => ({ low: at / edge, high: at * edge }));
+  const place = (value) => {
+    if (positive(value)) return Math.min(highest, Math.max(lowest, value));
+    return value === 0 ? floor : value === Infinity ? ceiling : null;
+  };
   return {
-    domain: [floor / 2.2, ceiling * 1.3],
-    place: (value) => (positive(value) ? value : value === 0 ? floor : value === Infinity ? ceiling : null),
+    domain, place,
     y: {
       field: "y", type: "quantitative", title,
-      scale: { type: "log", domain: [floor / 2.2, ceiling * 1.3], nice: false },
-      axis: { values: ticks, labelExpr: `datum.value <= ${floor * 1.001} ? '${zero}' : ${power_label}` },
+      scale: { type: "log", domain, nice: false },
+      axis: { values: ticks, labelExpr: `datum.value <= ${floor * 1.001} ? '${zero}' : datum.value >= ${ceiling * 0.999} ? 'inf' : ${power_label}` },
     },
     band: {
-      data: { values: [{ low: floor / 2.2, high: floor * 2.2 }] },
+      data: { values: bands },
       mark: { type: "rect", color: faint(), opacity: 0.15, tooltip: null },
       encoding: { y: { field: "low", type: "quantitative" }, y2: { field: "high" } },
     },

@@ -71,6 +71,30 @@ const marks = (page, id) => page.evaluate(async (chart) => {
   return long.filter((path) => !/NaN|Infinity/.test(path.getAttribute("d"))).length;
 }, id);
 
+/** Waits for a chart to be drawn. */
+const drawn = (page, id) => page.evaluate(async (chart) => void (await window.rayaudit.draw(chart)), id);
+
+/** What a chart has of steps and words. */
+const drawn_by = async (page, id) => {
+  await drawn(page, id);
+  return {
+    steps: await page.locator(`#${id} .mark-line.role-mark path`).count(),
+    words: await page.locator(`#${id} .mark-text.role-mark text`).allTextContents(),
+    labels: await page.locator(`#${id} .role-axis-label text`).allTextContents(),
+    caption: await page.locator(`figure:has(#${id}) figcaption`).textContent(),
+  };
+};
+
+/** The rows of the figures under a chart, opened by the keyboard. */
+async function in_figures(page, id) {
+  await drawn(page, id);
+  const details = page.locator(`figure:has(#${id}) .in-figures`);
+  assert.equal(await details.locator("table").count(), 0, `${id} before it is opened`);
+  await details.locator("summary").press("Enter");
+  await details.locator("table").waitFor();
+  return () => details.locator("tr").evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
+}
+
 const charts_of = (page) => page.evaluate(() => [...document.querySelectorAll(".chart")].map(({ id }) => id));
 const too_wide = (page) => page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
 
@@ -222,6 +246,104 @@ test("another shape, family and measure redraw the charts", async () => {
     assert.match(await page.textContent("main"), /sphere, hard cases/);
     await page.selectOption("label:has-text('Height') select", "error");
     assert.ok((await marks(page, "front")) >= 3);
-    assert.match(await page.textContent("#front"), /ulps of float/);
+    assert.match(await page.textContent("#front"), /in units of float/);
+  });
+});
+
+test("the front is a line by wrong answers, and by error points alone, infinity in a band of its own", async () => {
+  await visit("cost.html", async (page) => {
+    const by_wrong = await drawn_by(page, "front");
+    assert.equal(by_wrong.steps, 1);
+    assert.ok(by_wrong.labels.includes("0 of 4,096") && !by_wrong.labels.includes("inf"), by_wrong.labels);
+    assert.match(by_wrong.caption, /by wrong answers first and then by error\. .* cannot be told apart\.$/);
+    await page.selectOption("label:has-text('Height') select", "error");
+    const by_error = await drawn_by(page, "front");
+    assert.equal(by_error.steps, 0);
+    assert.ok(by_error.labels.includes("inf"), by_error.labels);
+    assert.match(by_error.caption, /Left out, for no error of their own was measured: 1\.$/);
+  });
+});
+
+test("a cost tells what could not be measured, and what of its times is not the answering", async () => {
+  await visit("cost.html", async (page) => {
+    const told = await page.textContent("main");
+    assert.match(told, /\*\/float128: this compiler has no such number/);
+    assert.match(told, /up to 2\.25 ns of each are spent on reading a case and writing an answer/);
+    assert.match(told, /1,024 timed, fewer of dear ways/);
+  });
+});
+
+/** The words of a chart that reach beyond it. */
+const cut_off = (page, id) => page.evaluate((chart) => {
+  const box = document.querySelector(`#${chart} svg`).getBoundingClientRect();
+  return [...document.querySelectorAll(`#${chart} .mark-text.role-mark text`)].filter((text) => {
+    const { left, right } = text.getBoundingClientRect();
+    return left < box.left || right > box.right;
+  }).map(({ textContent }) => textContent);
+}, id);
+
+test("on a phone the front has numbers, those of the table; wider it has names; neither is cut off", async () => {
+  const cost = cost_report();
+  for (const { ways } of cost.cells) {
+    ways.forEach((way, i) => (way.subject = `a_name_that_takes_half_of_a_chart_or_more+${i}/float`));
+    ways[3].ns = [190, 200, 210];
+  }
+  with_report(cost, "long.html");
+  for (const width of [360, 390, 541, 640, 1280])
+    await visit("long.html", async (page) => {
+      const { words } = await drawn_by(page, "front");
+      const rows = await page.locator("table:has-text('times the fastest') tr:has(strong)").evaluateAll((all) => all.map((row) => [...row.children].slice(0, 2).map((cell) => cell.textContent)));
+      assert.deepEqual(rows.map(([, number]) => number), ["1", "2", "3"]);
+      assert.deepEqual(words.sort(), rows.map(([name, number]) => (width < 500 ? number : name)).sort());
+      assert.deepEqual(await cut_off(page, "front"), [], `at ${width}`);
+    }, { viewport: { width, height: 800 } });
+});
+
+test("charts are told in figures too, by the keyboard, filled when opened and with what is chosen", async () => {
+  await visit("ladder.html", async (page) => {
+    const errors = await in_figures(page, "ladder-errors");
+    assert.deepEqual((await errors())[0], ["k", "textbook/float", "handout/float", "the case forces, float"]);
+    assert.deepEqual((await errors())[3], ["3", "64", "8", "2.83"]);
+    await page.selectOption("label:has-text('Height') select", "own max");
+    await drawn(page, "ladder-errors");
+    assert.deepEqual((await errors())[3], ["3", "3.75", "3.75"]);
+    assert.deepEqual((await (await in_figures(page, "ladder-wrong"))())[6], ["6", "0 of 1,024 (0 %)", "36 of 1,024 (3.52 %)", "36 of 1,024 (3.52 %)"]);
+    assert.deepEqual((await (await in_figures(page, "ladder-margins"))())[8].slice(0, 3), ["8", "1", "0.25"]);
+  });
+  await visit("audit.html", async (page) => {
+    for (const id of ["wrong-by-margin", "errors"]) {
+      const rows = await (await in_figures(page, id))();
+      assert.ok(rows.length > 2 && rows[0].includes("textbook/float"), `${id}: ${rows.join("; ")}`);
+      assert.match(rows[1].concat(rows[2]).join(" "), /\d of [\d,]+ (hits )?\(/);
+    }
+  });
+});
+
+test("what the mouse is told of a line has the words of what is drawn", async () => {
+  const tip = async (page, id, path) => {
+    await drawn(page, id);
+    await page.locator(`#${id}`).scrollIntoViewIfNeeded();
+    await page.locator(`#${id} ${path}`).first().hover({ force: true });
+    await page.waitForSelector("#vg-tooltip-element.visible");
+    return page.textContent("#vg-tooltip-element");
+  };
+  await visit("ladder.html", async (page) => {
+    assert.match(await tip(page, "ladder-errors", ".mark-symbol.role-mark path"), /largest error, ulps/);
+    assert.match(await tip(page, "ladder-wrong", ".mark-symbol.role-mark path"), /wrong.* of 1,024/);
+  });
+  await visit("audit.html", async (page) => assert.match(await tip(page, "wrong-by-margin", ".mark-symbol.role-mark path"), /wrong.* of /));
+});
+
+test("what subjects are held to is told once where it is the same, else of each", async () => {
+  const ladder = climb_report();
+  await visit(with_report(ladder, "ladder.html"), async (page) => {
+    assert.match(await page.textContent("header"), /held tomax_forced 64/);
+    assert.equal(await page.locator("th", { hasText: "held to" }).count(), 0);
+  });
+  ladder.climbs[1].held_to = "wrong 0";
+  await visit(with_report(ladder, "promises.html"), async (page) => {
+    assert.doesNotMatch(await page.textContent("header"), /held to/);
+    assert.equal(await page.locator("th", { hasText: "held to" }).count(), 1);
+    assert.equal(await page.locator("td", { hasText: /^wrong 0$/ }).count(), 1);
   });
 });
