@@ -56,7 +56,7 @@ std::string heading(const Cell& cell, std::size_t families, const Ink& ink) {
                              : fmt::format("the {} {} famil{}", families, name(cell.scope),
                                            families == 1 ? "y" : "ies");
   return ink.heading(fmt::format("{:<35}", fmt::format("{}, {}", shape_names[cell.shape], of))) +
-         fmt::format("{:>6}{:>15}{:>13}{:>8}{:>8}{:>7}{:>7}{:>7}{:>8}{:>6}\n", "ns", "quartiles",
+         fmt::format("{:>7}{:>14}{:>13}{:>8}{:>8}{:>7}{:>7}{:>7}{:>8}{:>6}\n", "ns", "quartiles",
                      "wrong", "f. hits", "f. miss", "margin", "ulp", "forced", "error", "hard");
 }
 
@@ -77,7 +77,7 @@ std::string row(const Way& way, const Price* price, const Look& look, const Ink&
   };
   const std::string wrong = fmt::format("{:>13}", per_million(accuracy));
   const std::string text = fmt::format(
-      "{}{:<33}{:>6}{:>15}{}{:>8}{:>8}{:>7}{:>7}{:>7}{:>8}{:>6}",
+      "{}{:<33}{:>7}{:>14}{}{:>8}{:>8}{:>7}{:>7}{:>7}{:>8}{:>6}",
       !look.everything ? "  "
       : way.on_front   ? "* "
                        : "  ",
