@@ -85,14 +85,21 @@ std::optional<N> rounded(const Proof& hit) {
 template <class N>
 struct Rounded {
   static bool settle(const Proof& proof, Answer& answer) {
-    answer = Answer::miss();
+    answer.form = Answer::Form::miss;
     if (proof.form != Proof::Form::hit) return proof.form == Proof::Form::miss;
     const std::optional<N> t = rounded<N>(proof);
-    if (t) answer = Answer::hit(real(*t));
+    if (t) write(answer, *t);
     return t.has_value();
   }
   static void settle(const Case& question, const oracle::Crossing* hit, Answer& answer) {
-    answer = hit ? Answer::hit(real(oracle::rounded<N>(question, *hit))) : Answer::miss();
+    answer.form = Answer::Form::miss;
+    if (hit) write(answer, oracle::rounded<N>(question, *hit));
+  }
+
+ private:
+  static void write(Answer& answer, N t) {
+    answer.form = Answer::Form::hit;
+    answer.t = real(t);
   }
 };
 
