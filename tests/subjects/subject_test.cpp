@@ -73,6 +73,30 @@ BOOST_AUTO_TEST_CASE(the_routine_runs_in_the_number_of_its_name) {
   BOOST_TEST((answer_one(built_in("textbook/long_double"), question).t == real(1.0L / 3.0L)));
 }
 
+BOOST_AUTO_TEST_CASE(wider_numbers_keep_all_their_bits_and_are_asked_for_by_name_only) {
+  const Case question = read_case_line("disk 0 1 0 0 3 0 9 ray 0 0 0 0 3 0").question;
+  // A third has a 1 in every second place: at 2^-2, 2^-4, up to the last of the number.
+  const Real of_106 = {0x1.5555555555555p-2, 0x1.5555555555555p-56, 0, 0};
+  const Real of_113 = {0x1.5555555555555p-2, 0x1.5555555555555p-56, 0x1.5p-110, 0};
+  std::size_t found = 0;
+  for (const Subject& subject : all_subjects()) {
+    const bool is_built_in = std::ranges::count(built_in_subjects(), subject.name, &Subject::name);
+    BOOST_TEST(subject.by_name_only == !is_built_in, subject.name);
+    const bool is_float128 = subject.name == "textbook/float128";
+    if (!is_float128 && subject.name != "textbook/double_double") continue;
+    ++found;
+    const Real& third = is_float128 ? of_113 : of_106;
+    BOOST_TEST(compare(answer_one(subject, question).t, third) == 0, subject.name);
+    BOOST_TEST((subject.drawn_in() == double_format));
+  }
+#ifdef __clang__
+  BOOST_TEST(found == 1u);
+  BOOST_TEST(absent_subjects().front().subjects == "*/float128");
+#else
+  BOOST_TEST(found == 2u);
+#endif
+}
+
 BOOST_AUTO_TEST_CASE(the_form_of_an_answer_is_what_the_routine_returns) {
   const auto cases = cases_of({"disk 0 0 0 0 1 0 1 ray 0 2 0 0 -1 0",
                                "sphere 0 0 0 1 ray 0 0 0 1 0 0", "sphere 0 0 0 1 ray 0 9 0 1 0 0"});
