@@ -44,7 +44,7 @@ void Accuracy::add(const Accuracy& other) {
 }
 
 std::partial_ordering operator<=>(const Accuracy& a, const Accuracy& b) {
-  if (const auto by_share = a.share() <=> b.share(); by_share != 0) return by_share;
+  if (const auto by_share = a.share() <=> b.share(); std::is_neq(by_share)) return by_share;
   return scale_of(a) <=> scale_of(b);
 }
 

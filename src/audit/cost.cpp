@@ -236,7 +236,7 @@ void mark_front(std::vector<Way>& ways) {
   }
   std::ranges::stable_sort(by_accuracy, [](const Way* a, const Way* b) {
     const auto order = a->accuracy <=> b->accuracy;
-    return order != 0 ? order < 0 : a->nanoseconds.median < b->nanoseconds.median;
+    return std::is_neq(order) ? std::is_lt(order) : a->nanoseconds.median < b->nanoseconds.median;
   });
   std::vector<Way*> faster;  // each clearly so than the one before, and than all more accurate ones
   double least = std::numeric_limits<double>::infinity();  // of all that are more accurate
