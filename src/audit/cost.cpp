@@ -247,11 +247,12 @@ void mark_front(std::vector<Way>& ways) {
       faster.push_back(way);
     least = std::min(least, time.median);
   }
+  std::ranges::reverse(faster);
   const Way* last = nullptr;
-  for (auto way = faster.rbegin(); way != faster.rend(); ++way) {
-    if (last != nullptr && !is_clearly_more_accurate((*way)->accuracy, last->accuracy)) continue;
-    (*way)->on_front = true;
-    last = *way;
+  for (Way* way : faster) {
+    if (last != nullptr && !is_clearly_more_accurate(way->accuracy, last->accuracy)) continue;
+    way->on_front = true;
+    last = way;
   }
 }
 

@@ -30,7 +30,8 @@ void Histogram::merge(const Histogram& other) {
 std::uint64_t Histogram::octave(int exponent) const {
   if (exponent == least_octave) return counts_.front();
   if (exponent == most_octave) return counts_.back();
-  const auto first = counts_.begin() + 1 + (exponent - least_exponent) * steps;
+  const std::ptrdiff_t octaves_below = exponent - least_exponent;
+  const auto first = counts_.begin() + 1 + octaves_below * steps;
   return std::accumulate(first, first + steps, std::uint64_t{0});
 }
 

@@ -142,6 +142,7 @@ std::vector<Climb> climb(const LadderPlan& plan, const std::function<void(Progre
     if (tell) tell({done, all});
   }
   std::vector<Climb> climbs;
+  climbs.reserve(climbers.size());
   for (Climber& each : climbers) climbs.push_back(each.finished());
   return climbs;
 }
