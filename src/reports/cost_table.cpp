@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/figures.hpp"
 #include "reports/ink.hpp"
@@ -17,7 +18,8 @@ using figures::magnitude;
 
 /// Nanoseconds to three digits: 8.31, 42.7, 1,234.
 std::string nanoseconds(double x) {
-  return x < 999.5 ? fmt::format("{:.3g}", x) : grouped(static_cast<std::uint64_t>(x + 0.5));
+  return x < 999.5 ? fmt::format("{:.3g}", x)
+                   : grouped(static_cast<std::uint64_t>(std::llround(x)));
 }
 
 std::string title(const CostRun& run) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "reports/figures.hpp"
 
@@ -45,7 +46,7 @@ std::string plural(Verdict verdict) {
 
 std::string whole(double per_million) {
   if (per_million > 0 && per_million < 0.5) return "< 1";
-  return grouped(static_cast<std::uint64_t>(per_million + 0.5));
+  return grouped(static_cast<std::uint64_t>(std::llround(per_million)));
 }
 
 std::string per_million(const Accuracy& accuracy) {
