@@ -34,7 +34,8 @@ void deliver(const std::string& file, const std::string& text);
 template <class Made>
 std::vector<ReportOrder> orders_of(const std::vector<std::string>& texts,
                                    std::span<const ReportOf<Made>> reports) {
-  const auto orders = read_report_orders(texts, names_of(reports, &ReportOf<Made>::name));
+  std::vector<ReportOrder> orders =
+      read_report_orders(texts, names_of(reports, &ReportOf<Made>::name));
   for (const ReportOrder& order : orders) reports[order.report].require();
   return orders;
 }
