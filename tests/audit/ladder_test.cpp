@@ -20,7 +20,10 @@ constexpr std::size_t disk = 0, sphere = 1, cylinder = 2;
 Case at_difficulty(Random&, const Format&, int k) {
   return {{{0, 0, -2}, {0, 0, 1}, 0, 1024.0 + k}, Sphere<double>{{0, 0, 0}, 1}};
 }
-int difficulty_of(const Case& question) { return static_cast<int>(question.ray.t_max) - 1024; }
+/// Of cases of other families, none of its own.
+int difficulty_of(const Case& question) {
+  return static_cast<int>(std::fmin(question.ray.t_max, 2e6)) - 1024;
+}
 
 const Family planted_family = {"planted",
                                "the same case at every k",
