@@ -181,9 +181,7 @@ void add_numbers(CLI::App& command, const std::shared_ptr<AuditOptions>& options
              largest_cases,
              [=](std::int64_t n) { options->plan.cases = static_cast<std::uint64_t>(n); })
       ->default_str(std::to_string(default_cases));
-  add_number(command, "--seed", "other cases for another seed", 0, largest_number,
-             [=](std::int64_t n) { options->plan.seed = static_cast<std::uint64_t>(n); })
-      ->default_str(std::to_string(default_seed));
+  add_seed(command, options->plan.seed);
   add_number(
       command, "--difficulty",
       "draw at difficulty K (see rayaudit list families); default: spread over each family's range",

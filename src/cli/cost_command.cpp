@@ -86,9 +86,7 @@ void add_numbers(CLI::App& command, const std::shared_ptr<CostOptions>& options)
   add_number(command, "--rounds", "of timing; each takes all ways in turn", 3, 10'000,
              [&plan](std::int64_t n) { plan.rounds = static_cast<int>(n); })
       ->default_str(std::to_string(default_rounds));
-  add_number(command, "--seed", "other cases for another seed", 0, largest_number,
-             [&plan](std::int64_t n) { plan.seed = static_cast<std::uint64_t>(n); })
-      ->default_str(std::to_string(default_seed));
+  add_seed(command, plan.seed);
   add_number(command, "--threads", "to judge on; timing takes one", 1, 1024,
              [&plan](std::int64_t n) { plan.threads = static_cast<int>(n); });
 }
@@ -108,7 +106,8 @@ void add_cost_command(CLI::App& program, Command& asked) {
   command->add_flag("--each-family", options->look.families, "each family alone too");
   command->footer(
       "Without names, every subject there is takes part, also those that an audit has by name\n"
-      "only. All answer the same cases, drawn as floats, in turn, on one processor.\n\n"
+      "only. All answer the same cases, dear ones fewer, drawn as floats, in turn, on one "
+      "processor.\n\n"
       "Examples:\n"
       "  rayaudit cost\n"
       "  rayaudit cost --shape sphere --family grazing --all-ways\n"

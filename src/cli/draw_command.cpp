@@ -88,9 +88,7 @@ void add_draw_command(CLI::App& program, Command& asked) {
   add_number(*command, "--count", "how many", 1, largest_cases, [=](std::int64_t n) {
     options->count = static_cast<std::uint64_t>(n);
   })->required();
-  add_number(*command, "--seed", "other cases for another seed", 0, largest_number,
-             [=](std::int64_t n) { options->seed = static_cast<std::uint64_t>(n); })
-      ->default_str(std::to_string(default_seed));
+  add_seed(*command, options->seed);
   add_option(*command, "--format", "FORMAT", "every number is one of it: float or double",
              [=](const std::string& text) { options->format = known_format(text); })
       ->default_str("double");

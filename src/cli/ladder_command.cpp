@@ -97,9 +97,7 @@ void add_numbers(CLI::App& command, const std::shared_ptr<LadderOptions>& option
   add_number(command, "--cases", "for each subject and shape at each k", 1, largest_cases,
              [&plan](std::int64_t n) { plan.cases = static_cast<std::uint64_t>(n); })
       ->default_str(std::to_string(default_cases));
-  add_number(command, "--seed", "other cases for another seed", 0, largest_number,
-             [&plan](std::int64_t n) { plan.seed = static_cast<std::uint64_t>(n); })
-      ->default_str(std::to_string(default_seed));
+  add_seed(command, plan.seed);
   add_number(command, "--threads", "else one for each processor; the findings are the same", 1,
              1024, [&plan](std::int64_t n) { plan.threads = static_cast<int>(n); });
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/selection.hpp"
 #include "cli/whole_number.hpp"
 
 namespace rayaudit {
@@ -22,6 +23,13 @@ inline CLI::Option* add_number(CLI::App& command, const char* name, const char* 
                                const std::function<void(std::int64_t)>& take) {
   return add_option(command, name, "N", about,
                     [=](const std::string& text) { take(whole_number(name, text, least, most)); });
+}
+
+/// Adds the option for the seed of all that is drawn; it has its default already.
+inline void add_seed(CLI::App& command, std::uint64_t& seed) {
+  add_number(command, "--seed", "other cases for another seed", 0, largest_number,
+             [&seed](std::int64_t n) { seed = static_cast<std::uint64_t>(n); })
+      ->default_str(std::to_string(seed));
 }
 
 /// Adds an option `--name VALUE` that may be repeated.
