@@ -6,9 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <map>
 #include <mutex>
-#include <tuple>
 
 #include "oracle/replay/replay.hpp"
 
@@ -18,15 +16,32 @@ namespace {
 /// Cases go through oracle, subject and judge in portions that stay in the nearest caches.
 constexpr std::size_t portion = 128;
 
-/// Audits that share their cases: the same shape, family and format to draw in. The truth of each
-/// case is found once for all of them.
+/// What audits have in common that share their cases: the same shape, family and format to draw in,
+/// and asked alike. The truth of each case is found once for all of them. A subject elsewhere has
+/// groups of its own.
 struct Group {
   const Family* family;
   std::size_t shape;
   Format drawn_in;
   int bits;  ///< to which t must be known
-  std::vector<std::size_t> audits;
+  Convention asked_by;
+  const Subject* elsewhere;
+  std::vector<std::size_t> audits = {};
+
+  bool takes(const Group& other) const {
+    return family == other.family && shape == other.shape && drawn_in == other.drawn_in &&
+           bits == other.bits && asked_by == other.asked_by && elsewhere == other.elsewhere;
+  }
 };
+
+/// Of a convention only what changes the cases.
+Convention asking(const Convention& convention) {
+  Convention asked;
+  asked.unit_direction = convention.unit_direction;
+  asked.line = convention.line;
+  asked.t_min = convention.t_min, asked.t_max = convention.t_max;
+  return asked;
+}
 
 /// The bits of t that a subject's answers are judged by: those of the finest format that shares its
 /// cases, so that it is told the same alone and among others.
@@ -38,15 +53,18 @@ int bits_of(const Subject& subject) {
 
 std::vector<Group> grouped(const Plan& plan, const std::vector<Audit>& audits) {
   std::vector<Group> groups;
-  std::map<std::tuple<const Family*, std::size_t, int, int>, std::size_t> places;
   for (std::size_t i = 0; i < audits.size(); ++i) {
     const auto& [subject, family, shape, tally, most_ulps] = audits[i];
-    const Format& format = plan.drawn_in ? *plan.drawn_in : subject->drawn_in();
-    const int bits = bits_of(*subject);
-    const auto [place, is_new] =
-        places.try_emplace({family, shape, format.precision, bits}, groups.size());
-    if (is_new) groups.push_back({family, shape, format, bits, {}});
-    groups[place->second].audits.push_back(i);
+    const Group alone = {family,
+                         shape,
+                         plan.drawn_in ? *plan.drawn_in : subject->drawn_in(),
+                         bits_of(*subject),
+                         asking(convention_of(plan, *subject)),
+                         subject->is_elsewhere ? subject : nullptr};
+    auto place = std::find_if(groups.begin(), groups.end(),
+                              [&](const Group& group) { return group.takes(alone); });
+    if (place == groups.end()) place = groups.insert(place, alone);
+    place->audits.push_back(i);
   }
   return groups;
 }
@@ -96,18 +114,22 @@ Diagnosis diagnosis_of(const Plan& plan, const Audit& audit, const Case& questio
   std::optional<double> most_ulps;
   if (!is_wrong(judgement.verdict)) most_ulps = audit.most_ulps.value_or(judgement.ulps / 2);
   return diagnosis({settled, answer, judgement, most_ulps}, *audit.subject,
-                   replay::replay_of(audit.subject->name), plan.convention);
+                   replay::replay_of(audit.subject->name), convention_of(plan, *audit.subject));
 }
 
 /// One subject's part in a chunk.
 struct Part {
   const Audit& audit;
   const replay::Replay* replay;
+  Convention convention;
   Tally tally = {};
   std::vector<Suspect> suspects = {};
   std::size_t slow_margins = 0;
 
-  explicit Part(const Audit& of) : audit(of), replay(replay::replay_of(of.subject->name)) {}
+  Part(const Plan& plan, const Audit& of)
+      : audit(of),
+        replay(replay::replay_of(of.subject->name)),
+        convention(convention_of(plan, *of.subject)) {}
 
   /// The margin of a case in u of the subject's format; NaN for an invalid one, and where it would
   /// take long and this has been so too often in the chunk.
@@ -143,9 +165,30 @@ void prove_portion(std::span<const Case> cases, std::span<Settled> settled, std:
       part.tally.certificate.add(settled[i], proofs[i], *part.replay, subject.format, first + i);
 }
 
-/// Puts a portion of cases to every subject of a group, the first of them closely.
+/// Judges one subject's answers to a portion of cases, the first of them closely.
+void judge_answers(const Plan& plan, std::span<Settled> settled, std::span<const Answer> answers,
+                   std::uint64_t first, std::size_t close, Part& part) {
+  for (std::size_t i = 0; i < settled.size(); ++i) {
+    if (answers[i].form == Answer::Form::unasked) {
+      ++part.tally.unasked;
+      continue;
+    }
+    const Judgement judgement =
+        judge(settled[i], answers[i], part.audit.subject->format, part.convention);
+    const bool wrong = is_wrong(judgement.verdict);
+    const double margin =
+        wrong || i < close ? part.margin(plan, settled[i]) : Judgement::unmeasured;
+    if (i < close) part.tally.curve.add(margin, wrong);
+    part.tally.add(settled[i], answers[i], judgement, first + i, margin);
+    if (plan.causes && part.is_suspect(judgement))
+      part.suspects.push_back({first + i, answers[i], judgement});
+  }
+}
+
+/// Puts a portion of cases to every subject of a group, where they have not answered already.
 void judge_portion(const Plan& plan, const Group& group, std::span<const Case> cases,
-                   std::uint64_t first, std::size_t close, std::vector<Part>& parts) {
+                   std::span<const Answer> answered, std::uint64_t first, std::size_t close,
+                   std::vector<Part>& parts) {
   std::array<oracle::Truth, portion> truths;
   std::array<Answer, portion> answers;
   const std::size_t size = cases.size();
@@ -154,34 +197,38 @@ void judge_portion(const Plan& plan, const Group& group, std::span<const Case> c
   settled.reserve(size);
   for (std::size_t i = 0; i < size; ++i) settled.emplace_back(cases[i], truths[i]);
   for (Part& part : parts) {
-    const Subject& subject = *part.audit.subject;
-    subject.answer[group.shape](cases, {answers.data(), size});
-    for (std::size_t i = 0; i < size; ++i) {
-      const Judgement judgement = judge(settled[i], answers[i], subject.format, plan.convention);
-      const bool wrong = is_wrong(judgement.verdict);
-      const double margin =
-          wrong || i < close ? part.margin(plan, settled[i]) : Judgement::unmeasured;
-      if (i < close) part.tally.curve.add(margin, wrong);
-      part.tally.add(settled[i], answers[i], judgement, first + i, margin);
-      if (plan.causes && part.is_suspect(judgement))
-        part.suspects.push_back({first + i, answers[i], judgement});
-    }
+    if (answered.empty())
+      part.audit.subject->answer[group.shape](cases, {answers.data(), size});
+    else
+      std::copy(answered.begin(), answered.end(), answers.begin());
+    judge_answers(plan, settled, {answers.data(), size}, first, close, part);
     if (plan.causes) prove_portion(cases.first(close), settled, first, part);
   }
 }
 
-/// Draws one chunk of a group's cases and puts it to its subjects.
-void run_chunk(const Plan& plan, const Group& group, const std::vector<Audit>& audits,
-               std::uint64_t chunk, std::vector<SharedTally>& shared) {
-  const std::uint64_t first = chunk * chunk_cases;
-  std::vector<Case> cases(std::min<std::uint64_t>(chunk_cases, plan.cases - first));
+std::size_t size_of_chunk(const Plan& plan, std::uint64_t chunk) {
+  return std::min<std::uint64_t>(chunk_cases, plan.cases - chunk * chunk_cases);
+}
+
+/// Draws one chunk of a group's cases, as they are asked.
+void draw_chunk(const Plan& plan, const Group& group, std::uint64_t chunk, std::span<Case> cases) {
   draw(*group.family, group.shape, group.drawn_in, plan.difficulty, plan.seed, chunk, cases);
+  if (!poses(group.asked_by)) return;
+  for (Case& question : cases) question = posed(question, group.asked_by, group.drawn_in);
+}
+
+/// Puts one chunk to a group's subjects, where they have not answered it already.
+void judge_chunk(const Plan& plan, const Group& group, const std::vector<Audit>& audits,
+                 std::uint64_t chunk, std::span<const Case> cases, std::span<const Answer> answers,
+                 std::vector<SharedTally>& shared) {
+  const std::uint64_t first = chunk * chunk_cases;
   std::vector<Part> parts;
-  for (const std::size_t audit : group.audits) parts.emplace_back(audits[audit]);
+  for (const std::size_t audit : group.audits) parts.emplace_back(plan, audits[audit]);
   for (std::size_t i = 0; i < cases.size(); i += portion) {
     const std::size_t size = std::min(portion, cases.size() - i);
     const std::size_t close = plan.thorough ? size : i == 0 ? std::min(close_a_chunk, size) : 0;
-    judge_portion(plan, group, std::span(cases).subspan(i, size), first + i, close, parts);
+    judge_portion(plan, group, cases.subspan(i, size),
+                  answers.empty() ? answers : answers.subspan(i, size), first + i, close, parts);
   }
   for (std::size_t s = 0; s < parts.size(); ++s) {
     parts[s].look_into_suspects(plan, cases, first);
@@ -189,11 +236,48 @@ void run_chunk(const Plan& plan, const Group& group, const std::vector<Audit>& a
   }
 }
 
+void run_chunk(const Plan& plan, const Group& group, const std::vector<Audit>& audits,
+               std::uint64_t chunk, std::vector<SharedTally>& shared) {
+  std::vector<Case> cases(size_of_chunk(plan, chunk));
+  draw_chunk(plan, group, chunk, cases);
+  judge_chunk(plan, group, audits, chunk, cases, {}, shared);
+}
+
+/// Asks a subject elsewhere several chunks at once: each asking has its price.
+void run_elsewhere(const Plan& plan, const Group& group, const std::vector<Audit>& audits,
+                   std::span<const std::uint64_t> chunks, std::vector<SharedTally>& shared) {
+  std::size_t size = 0;
+  for (const std::uint64_t chunk : chunks) size += size_of_chunk(plan, chunk);
+  std::vector<Case> cases(size);
+  std::vector<Answer> answers(size);
+  const auto each_chunk = [&](const auto& visit) {
+    std::size_t place = 0;
+    for (const std::uint64_t chunk : chunks) {
+      visit(chunk, place, size_of_chunk(plan, chunk));
+      place += size_of_chunk(plan, chunk);
+    }
+  };
+  each_chunk([&](std::uint64_t chunk, std::size_t place, std::size_t count) {
+    draw_chunk(plan, group, chunk, std::span(cases).subspan(place, count));
+  });
+  group.elsewhere->answer[group.shape](cases, answers);
+  each_chunk([&](std::uint64_t chunk, std::size_t place, std::size_t count) {
+    judge_chunk(plan, group, audits, chunk, std::span(cases).subspan(place, count),
+                std::span(answers).subspan(place, count), shared);
+  });
+}
+
 /// Finds the cause of every worst case that reports tell of: of wrong answers, and where a subject
 /// is held to bounds also of its largest errors.
 void look_into_worst(const Plan& plan, Audit& audit) {
+  const Subject& subject = *audit.subject;
   const auto look_into = [&](Worst& worst) {
     worst.diagnosis = diagnosis_of(plan, audit, worst.question, worst.answer, worst.judgement);
+    if (!subject.is_elsewhere) return;
+    const Answer again = answer_one(subject, worst.question);
+    const Judgement judgement =
+        judge(worst.question, again, subject.format, convention_of(plan, subject));
+    worst.repeats = judgement.verdict == worst.judgement.verdict;
   };
   for (Outcome& outcome : audit.tally.outcomes)
     if (is_wrong(outcome.verdict)) look_into(*outcome.worst);
@@ -222,7 +306,66 @@ class Teller {
   std::mutex mutex_;
 };
 
+/// The chunks of the plan's shard, in order.
+std::vector<std::uint64_t> chunks_of(const Plan& plan) {
+  std::vector<std::uint64_t> chunks;
+  for (std::uint64_t chunk = plan.shard; chunk * chunk_cases < plan.cases; chunk += plan.shards)
+    chunks.push_back(chunk);
+  return chunks;
+}
+
+/// What is done in one go by one thread.
+using Task = std::function<void()>;
+
+/// A thread's work for each subject elsewhere, all of it in order; then for each chunk of the rest.
+std::vector<Task> tasks_of(const Plan& plan, const std::vector<Group>& groups,
+                           const std::vector<Audit>& audits,
+                           const std::vector<std::uint64_t>& chunks,
+                           std::vector<SharedTally>& shared, Teller& teller) {
+  std::vector<Task> tasks;
+  for (const Subject* subject : plan.subjects)
+    if (subject->is_elsewhere)
+      tasks.emplace_back([&, subject] {
+        constexpr std::size_t at_once = batch_elsewhere / chunk_cases;
+        for (const Group& group : groups)
+          for (std::size_t i = 0; group.elsewhere == subject && i < chunks.size(); i += at_once) {
+            const auto part = std::span(chunks).subspan(i, std::min(at_once, chunks.size() - i));
+            run_elsewhere(plan, group, audits, part, shared);
+            for (const std::uint64_t chunk : part) teller.add(size_of_chunk(plan, chunk));
+          }
+      });
+  for (const Group& group : groups)
+    for (const std::uint64_t chunk : chunks)
+      if (group.elsewhere == nullptr)
+        tasks.emplace_back([&, chunk] {
+          run_chunk(plan, group, audits, chunk, shared);
+          teller.add(size_of_chunk(plan, chunk) * group.audits.size());
+        });
+  return tasks;
+}
+
+/// Calls work(i) for each i below count, on as many threads as the plan allows.
+template <class Work>
+void on_threads(const Plan& plan, std::size_t count, const Work& work) {
+  // Unasked, TBB gives no more threads than there are processors.
+  std::optional<tbb::global_control> allowed;
+  if (plan.threads > 0) allowed.emplace(tbb::global_control::max_allowed_parallelism, plan.threads);
+  tbb::task_arena arena(plan.threads > 0 ? plan.threads : tbb::task_arena::automatic);
+  arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, count, 1),
+        [&](const auto& range) {
+          for (std::size_t i = range.begin(); i < range.end(); ++i) work(i);
+        },
+        tbb::simple_partitioner());
+  });
+}
+
 }  // namespace
+
+Convention convention_of(const Plan& plan, const Subject& subject) {
+  return joined(plan.convention, subject.convention);
+}
 
 std::vector<Audit> planned(const Plan& plan) {
   std::vector<Audit> audits;
@@ -237,31 +380,30 @@ std::vector<Audit> planned(const Plan& plan) {
   return audits;
 }
 
-std::vector<Audit> run(const Plan& plan, const std::function<void(Progress)>& tell) {
+std::vector<Audit> gathered(const Plan& plan, const std::function<void(Progress)>& tell) {
   std::vector<Audit> audits = planned(plan);
   const std::vector<Group> groups = grouped(plan, audits);
+  const std::vector<std::uint64_t> chunks = chunks_of(plan);
   std::vector<SharedTally> shared(audits.size());
-  const std::uint64_t chunks = (plan.cases + chunk_cases - 1) / chunk_cases;
-  Teller teller(plan.cases * audits.size(), tell);
-  // Unasked, TBB gives no more threads than there are processors.
-  std::optional<tbb::global_control> allowed;
-  if (plan.threads > 0) allowed.emplace(tbb::global_control::max_allowed_parallelism, plan.threads);
-  tbb::task_arena arena(plan.threads > 0 ? plan.threads : tbb::task_arena::automatic);
-  arena.execute([&] {
-    tbb::parallel_for(std::uint64_t{0}, groups.size() * chunks, [&](std::uint64_t i) {
-      const Group& group = groups[i / chunks];
-      run_chunk(plan, group, audits, i % chunks, shared);
-      const std::uint64_t first = i % chunks * chunk_cases;
-      teller.add(std::min<std::uint64_t>(chunk_cases, plan.cases - first) * group.audits.size());
-    });
-  });
+  std::uint64_t cases = 0;
+  for (const std::uint64_t chunk : chunks) cases += size_of_chunk(plan, chunk);
+  Teller teller(cases * audits.size(), tell);
+  const std::vector<Task> tasks = tasks_of(plan, groups, audits, chunks, shared, teller);
+  on_threads(plan, tasks.size(), [&](std::size_t i) { tasks[i](); });
   for (std::size_t i = 0; i < audits.size(); ++i) audits[i].tally = std::move(shared[i].tally);
-  if (plan.causes)
-    arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, audits.size(),
-                        [&](std::size_t i) { look_into_worst(plan, audits[i]); });
-    });
   teller.end();
+  return audits;
+}
+
+void conclude(const Plan& plan, std::vector<Audit>& audits) {
+  std::erase_if(audits, [](const Audit& audit) { return audit.tally.cases == 0; });
+  if (plan.causes)
+    on_threads(plan, audits.size(), [&](std::size_t i) { look_into_worst(plan, audits[i]); });
+}
+
+std::vector<Audit> run(const Plan& plan, const std::function<void(Progress)>& tell) {
+  std::vector<Audit> audits = gathered(plan, tell);
+  conclude(plan, audits);
   return audits;
 }
 

@@ -21,6 +21,7 @@ struct Plan {
   std::uint64_t cases = 0;  ///< for each subject, shape and family
   std::uint64_t seed = 0;
   std::optional<int> difficulty = {};
+  /// What is stated of the subjects' conventions, before what each declares itself.
   Convention convention = {};
   /// What the subjects are held to; where to anything, only what these name is audited.
   std::vector<Bound> bounds = {};
@@ -34,7 +35,12 @@ struct Plan {
   /// margins are wanted.
   bool causes = true;
   int threads = 0;  ///< 0: one for each processor
+  /// Only the chunks i with i % shards == shard are run: the same cases whoever runs the others.
+  std::uint64_t shard = 0, shards = 1;
 };
+
+/// What a subject is held to in a plan.
+Convention convention_of(const Plan& plan, const Subject& subject);
 
 /// So many cases of each chunk are looked at closely, the first: no case depends on its place.
 inline constexpr std::size_t close_a_chunk = 32;
@@ -65,7 +71,14 @@ struct Progress {
 std::vector<Audit> planned(const Plan& plan);
 
 /// Runs the plan; the result is the same for any number of threads. Progress is told now and then,
-/// from one thread at a time.
+/// from one thread at a time. An audit whose subject was not asked at all, since it crashed or hung
+/// too often before, is left out.
 std::vector<Audit> run(const Plan& plan, const std::function<void(Progress)>& tell = {});
+
+/// Its two parts. What all cases of a shard told, each of these audits as it was planned; audits of
+/// several shards merge, in any order.
+std::vector<Audit> gathered(const Plan& plan, const std::function<void(Progress)>& tell = {});
+/// And what is then asked about the worst of all: causes, and whether it shows again.
+void conclude(const Plan& plan, std::vector<Audit>& audits);
 
 }  // namespace rayaudit

@@ -52,6 +52,19 @@ double ratio(const Real& x, const Real& y) {
   return scaled(x, e) / scaled(y, e);
 }
 
+/// Does the ray come from inside to its proper hit? The sign of F just before it tells.
+bool comes_from_inside(Settled& settled) {
+  const oracle::Truth& truth = settled.truth();
+  if (truth.hit() == nullptr || std::holds_alternative<Disk<double>>(settled.question().shape))
+    return false;
+  return settled.sensitivity(truth.count - 1).sign_before < 0;
+}
+
+/// Does the subject declare that the proper hit is none?
+bool hides_hit(Settled& settled, const Convention& convention) {
+  return convention.inside == Convention::Inside::miss && comes_from_inside(settled);
+}
+
 /// The crossings that an answer may name under a convention: touches up to and including the first
 /// that must be taken, a proper one or a touch declared to be a hit.
 struct Choices {
@@ -62,11 +75,13 @@ struct Choices {
   int refused_count = 0;
   std::optional<Kind> open_touch;  ///< the first touch left open
 
-  Choices(const oracle::Truth& truth, const Convention& convention) {
-    const auto crossings = truth.crossings();
+  Choices(Settled& settled, const Convention& convention) {
+    const auto crossings = settled.truth().crossings();
+    const bool is_hidden = hides_hit(settled, convention);
     for (int i = 0; i < static_cast<int>(crossings.size()); ++i) {
       const Kind kind = crossings[i].kind;
-      const auto stance = kind == Kind::proper ? Convention::Stance::hit : convention.of(kind);
+      const auto proper = is_hidden ? Convention::Stance::miss : Convention::Stance::hit;
+      const auto stance = kind == Kind::proper ? proper : convention.of(kind);
       if (must >= 0 || stance == Convention::Stance::miss) {
         refused[refused_count++] = i;
         continue;
@@ -324,12 +339,42 @@ Judgement with_sentinel(Judgement judgement, const Settled& settled, const Answe
   return judgement;
 }
 
+/// Any answer but the start of the ray, where that is what is declared.
+Judgement judge_start(Settled& settled, const Answer& answer, const Format& format) {
+  if (answer.form == Answer::Form::miss) return {.verdict = Verdict::false_miss};
+  if (answer.form == Answer::Form::yes) return {};
+  const Real t = claimed_t(settled.question(), answer, oracle::bits_for(format));
+  if (!is_finite(t)) return {.verdict = Verdict::not_finite, .claim = claim_at(settled, t)};
+  if (ulps(t, real(settled.question().ray.t_min), format) <= 1) return {};
+  return {.verdict = Verdict::wrong_root, .claim = Claim::declined};
+}
+
+/// What stands in place of an answer to an invalid case.
+Claim claim_of_none(const Answer& answer) {
+  switch (answer.form) {
+    case Answer::Form::crashed:
+      return Claim::ended;
+    case Answer::Form::garbage:
+      return Claim::garbage;
+    case Answer::Form::timed_out:
+      return Claim::hung;
+    default:
+      return Claim::none;
+  }
+}
+
+Judgement judge_none(const Answer& answer) {
+  if (answer.form == Answer::Form::timed_out) return {.verdict = Verdict::timed_out};
+  const bool is_garbage = answer.form == Answer::Form::garbage;
+  return {.verdict = Verdict::crashed, .claim = is_garbage ? Claim::garbage : Claim::none};
+}
+
 }  // namespace
 
 std::string_view name(Verdict verdict) {
   constexpr std::array<std::string_view, verdict_count> names = {
-      "right",   "touch",      "false_hit",       "false_miss",        "wrong_root",
-      "wrong_t", "not_finite", "invalid_handled", "invalid_mishandled"};
+      "right",      "touch",   "false_hit", "false_miss",      "wrong_root",        "wrong_t",
+      "not_finite", "crashed", "timed_out", "invalid_handled", "invalid_mishandled"};
   return names[static_cast<std::size_t>(verdict)];
 }
 
@@ -340,8 +385,8 @@ bool is_wrong(Verdict verdict) {
 
 std::string_view name(Claim claim) {
   constexpr std::array<std::string_view, claim_count> names = {
-      "none",     "no_root", "nan",      "infinite", "behind", "past",  "clipped",
-      "mirrored", "later",   "declined", "parallel", "centre", "origin"};
+      "none",  "no_root",  "nan",      "infinite", "behind", "past",    "clipped", "mirrored",
+      "later", "declined", "parallel", "centre",   "origin", "garbage", "ended",   "hung"};
   return names[static_cast<std::size_t>(claim)];
 }
 
@@ -383,8 +428,12 @@ Judgement judge(Settled& settled, const Answer& answer, const Format& format,
                 const Convention& convention) {
   const bool miss = answer.form == Answer::Form::miss;
   if (settled.truth().invalid != oracle::Invalid::no)
-    return {.verdict = miss ? Verdict::invalid_handled : Verdict::invalid_mishandled};
-  const Choices choices(settled.truth(), convention);
+    return {.verdict = miss ? Verdict::invalid_handled : Verdict::invalid_mishandled,
+            .claim = claim_of_none(answer)};
+  if (!answer.is_given()) return judge_none(answer);
+  if (convention.inside == Convention::Inside::start && comes_from_inside(settled))
+    return judge_start(settled, answer, format);
+  const Choices choices(settled, convention);
   const Judgement judgement{.touch = choices.open_touch};
   if (!miss)
     return with_sentinel(judge_hit(judgement, settled, choices, answer, format), settled, answer);

@@ -6,12 +6,12 @@
 #include <optional>
 #include <string_view>
 
-#include "audit/convention.hpp"
 #include "geometry/answer.hpp"
 #include "geometry/format.hpp"
 #include "oracle/margin.hpp"
 #include "oracle/position.hpp"
 #include "oracle/truth.hpp"
+#include "subjects/convention.hpp"
 
 namespace rayaudit {
 
@@ -24,10 +24,12 @@ enum class Verdict : std::uint8_t {
   wrong_root,          ///< a t nearest to a root of F that is no acceptable answer
   wrong_t,             ///< the right root, off by more than wrong_t_limit
   not_finite,          ///< a t that is NaN, or infinite where the true t is not
+  crashed,             ///< no answer: the subject's process ended, or it said what is none
+  timed_out,           ///< no answer for as long as it was given
   invalid_handled,     ///< the case is invalid, and the subject says miss
-  invalid_mishandled,  ///< the case is invalid, and the subject says hit
+  invalid_mishandled,  ///< the case is invalid, and the subject says hit, or does not answer
 };
-inline constexpr std::size_t verdict_count = 9;
+inline constexpr std::size_t verdict_count = 11;
 std::string_view name(Verdict verdict);
 /// Is this verdict the subject's fault?
 bool is_wrong(Verdict verdict);
@@ -46,12 +48,15 @@ enum class Claim : std::uint8_t {
   clipped,   ///< a root outside a side condition: beside the disk, above or below the shape
   mirrored,  ///< a root on the cone's other nappe
   later,     ///< a crossing, but not the first
-  declined,  ///< a touch of a kind that the subject declares to be a miss
+  declined,  ///< what the subject declares to be a miss: a touch, or a hit from inside
   parallel,  ///< F is the same all along the ray: no root, near or far
   centre,    ///< the point told is the centre (or base) of the shape itself
   origin,    ///< of a false miss: the hit that is missed lies at the world origin
+  garbage,   ///< of no answer: what came has no known form
+  ended,     ///< of an invalid case: its process ended
+  hung,      ///< of an invalid case: no answer came in time
 };
-inline constexpr std::size_t claim_count = 13;
+inline constexpr std::size_t claim_count = 16;
 std::string_view name(Claim claim);
 
 /// On which side of the surface the rounded point lies, as the ray came. A ray that starts beyond

@@ -166,6 +166,7 @@ void Tally::merge(const Tally& other) {
   by_interval += other.by_interval;
   by_exact += other.by_exact;
   bare += other.bare;
+  unasked += other.unasked;
   proper_own = std::fmax(proper_own, other.proper_own);
   ulps.merge(other.ulps);
   forced.merge(other.forced);

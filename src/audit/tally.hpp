@@ -76,6 +76,8 @@ struct Tally {
   std::array<TouchCount, 7> touches = {};  ///< by oracle::Kind
   std::uint64_t by_interval = 0, by_exact = 0;
   std::uint64_t bare = 0;  ///< answers that say yes and not where
+  /// Cases that were not put to a subject, for it had crashed or timed out too often; not in cases.
+  std::uint64_t unasked = 0;
   Histogram ulps, forced, own, distance, condition;
   /// The largest own error of hits that are no matter of convention; NaN where there are none.
   double proper_own = Judgement::unmeasured;

@@ -16,6 +16,8 @@ struct Worst {
   Answer answer = {};
   Judgement judgement = {};
   Diagnosis diagnosis = {};  ///< of wrong answers, found at the end of a run
+  /// Of a subject elsewhere: was the answer as wrong when the case was asked again, alone?
+  bool repeats = true;
 };
 
 inline bool is_worse(const Worst& a, const Worst& b) {

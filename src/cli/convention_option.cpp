@@ -1,6 +1,9 @@
 #include "cli/convention_option.hpp"
 
 #include <array>
+#include <cmath>
+#include <cstdlib>
+#include <string>
 
 #include "cli/names.hpp"
 #include "cli/pieces.hpp"
@@ -8,6 +11,40 @@
 #include "geometry/quotation.hpp"
 
 namespace rayaudit {
+namespace {
+
+double number(std::string_view name, std::string_view text) {
+  const std::string whole(text);
+  char* end = nullptr;
+  const double x = std::strtod(whole.c_str(), &end);
+  if (whole.empty() || *end != '\0' || std::isnan(x))
+    throw Error("--convention: expected a number for " + std::string(name) + ", got " +
+                quotation(text));
+  return x;
+}
+
+/// Reads what is no stance towards a touch; false where it is none of these.
+bool read_contract(std::string_view name, std::string_view value, Convention& convention) {
+  static constexpr std::array<std::string_view, 3> insides = {"hit", "miss", "start"};
+  static constexpr std::array<std::string_view, 2> directions = {"any", "unit"};
+  static constexpr std::array<std::string_view, 2> rays = {"half", "line"};
+  if (name == "inside")
+    convention.inside =
+        Convention::Inside{static_cast<std::uint8_t>(place_of("word for inside", value, insides))};
+  else if (name == "direction")
+    convention.unit_direction = place_of("kind of direction", value, directions) == 1;
+  else if (name == "ray")
+    convention.line = place_of("kind of ray", value, rays) == 1;
+  else if (name == "t_min")
+    convention.t_min = number(name, value);
+  else if (name == "t_max")
+    convention.t_max = number(name, value);
+  else
+    return false;
+  return true;
+}
+
+}  // namespace
 
 Convention read_convention(std::string_view text) {
   using Stance = Convention::Stance;
@@ -22,6 +59,7 @@ Convention read_convention(std::string_view text) {
     const std::size_t equals = piece.find('=');
     if (equals == piece.npos)
       throw Error("--convention: expected KIND=hit or KIND=miss, got " + quotation(piece));
+    if (read_contract(piece.substr(0, equals), piece.substr(equals + 1), convention)) continue;
     const std::size_t kind = 1 + place_of("kind of touch", piece.substr(0, equals), kinds);
     convention.stances[kind] =
         Stance{static_cast<std::uint8_t>(place_of("stance", piece.substr(equals + 1), stances))};

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "audit/convention.hpp"
+#include "subjects/convention.hpp"
 
 namespace rayaudit {
 

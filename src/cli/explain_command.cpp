@@ -103,6 +103,11 @@ std::string shown(const Answer& answer, const Format& format) {
     case Answer::Form::at:
       return "at " + in_format(answer.point.x) + " " + in_format(answer.point.y) + " " +
              in_format(answer.point.z);
+    default: {  // what stands in place of an answer
+      std::string text;
+      write(text, answer);
+      return text;
+    }
   }
   return {};
 }

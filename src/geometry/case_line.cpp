@@ -286,6 +286,12 @@ std::optional<Answer> read_answer(Words& words) {
     answer.form = Answer::Form::hit;
   } else if (word == "at") {
     answer.form = Answer::Form::at;
+  } else if (word == "crashed") {
+    answer.form = Answer::Form::crashed;
+  } else if (word == "garbage") {
+    answer.form = Answer::Form::garbage;
+  } else if (word == "timed_out") {
+    answer.form = Answer::Form::timed_out;
   } else {
     return std::nullopt;
   }
@@ -450,6 +456,18 @@ void write(std::string& line, const Answer& answer) {
     case Answer::Form::at:
       line += "at ";
       write(line, answer.point);
+      break;
+    case Answer::Form::crashed:
+      line += "crashed";
+      break;
+    case Answer::Form::garbage:
+      line += "garbage";
+      break;
+    case Answer::Form::timed_out:
+      line += "timed_out";
+      break;
+    case Answer::Form::unasked:
+      line += "unasked";
       break;
   }
 }

@@ -18,7 +18,8 @@ std::string explain_line(const Worst& worst, const Format& format) {
   return line + '\'' + answered_line(worst) + '\'';
 }
 
-std::string explain_line(const Worst& worst, const Subject& subject, const Convention& convention) {
+std::string explain_line(const Worst& worst, const Subject& subject, const Convention& stated) {
+  const Convention convention = joined(stated, subject.convention);
   std::string declared;
   for (std::size_t kind = 1; kind < convention.stances.size(); ++kind) {
     const auto stance = convention.stances[kind];
@@ -27,6 +28,9 @@ std::string explain_line(const Worst& worst, const Subject& subject, const Conve
                               name(static_cast<oracle::Kind>(kind)),
                               stance == Convention::Stance::hit ? "hit" : "miss");
   }
+  if (convention.inside != Convention::Inside::hit)
+    declared += fmt::format("{}inside={}", declared.empty() ? " --convention " : ",",
+                            convention.inside == Convention::Inside::miss ? "miss" : "start");
   return fmt::format("rayaudit explain --subject {}{} '{}'", subject.name, declared,
                      answered_line(worst));
 }

@@ -13,6 +13,6 @@ std::string answered_line(const Worst& worst);
 std::string explain_line(const Worst& worst, const Format& format);
 /// The same for a subject, step by step.
 std::string explain_line(const Worst& worst, const Subject& subject,
-                         const Convention& convention = {});
+                         const Convention& stated = {});
 
 }  // namespace rayaudit

@@ -23,8 +23,12 @@ std::string_view sentence(Verdict verdict) {
       return "the first hit, but t is far off";
     case Verdict::not_finite:
       return "a hit, but t is no finite number";
+    case Verdict::crashed:
+      return "no answer, the process of the subject ended";
+    case Verdict::timed_out:
+      return "no answer in the time it was given";
     case Verdict::invalid_mishandled:
-      return "a hit where there is no ray or no shape";
+      return "no clear miss where there is no ray or no shape";
     default:
       return name(verdict);
   }
@@ -51,13 +55,19 @@ std::string_view sentence(Claim claim) {
     case Claim::later:
       return ": a later one";
     case Claim::declined:
-      return ": a touch, declared to be a miss";
+      return ": declared to be a miss";
     case Claim::parallel:
       return ": the ray runs parallel to it and never meets it";
     case Claim::centre:
       return ": the point told is the shape's own centre, a sentinel?";
     case Claim::origin:
       return ": the hit lies at the world origin, a sentinel?";
+    case Claim::garbage:
+      return ": what came is none that there is";
+    case Claim::ended:
+      return ": the process ended";
+    case Claim::hung:
+      return ": no answer came in time";
   }
   return "";
 }

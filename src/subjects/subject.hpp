@@ -10,6 +10,7 @@
 #include "geometry/answer.hpp"
 #include "geometry/case.hpp"
 #include "geometry/format.hpp"
+#include "subjects/convention.hpp"
 
 namespace rayaudit {
 
@@ -40,12 +41,19 @@ struct Subject {
   int dear = 1;
   /// Is it left out of an audit that names no subjects?
   bool by_name_only = false;
+  Convention convention = {};  ///< what it declares
+  /// Does it answer in a process of its own? It is then asked in order, from one thread, in batches
+  /// of batch_elsewhere, and may answer that it crashed; what is found of it is asked again, alone.
+  bool is_elsewhere = false;
 
   bool answers(std::size_t shape) const { return answer[shape] != nullptr; }
 
   /// The format to draw its cases in, so that they reach it unrounded.
   const Format& drawn_in() const { return format == float_format ? float_format : double_format; }
 };
+
+/// As many cases are put to a subject elsewhere at once, where there are so many.
+inline constexpr std::size_t batch_elsewhere = 16 * 1024;
 
 /// A subject that cannot answer: its module is missing or breaks off. What is told is a sentence.
 struct NoAnswer : std::runtime_error {

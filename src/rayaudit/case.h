@@ -1,0 +1,112 @@
+#ifndef RAYAUDIT_CASE_H
+#define RAYAUDIT_CASE_H
+
+/// A ray, a shape, and what may be said of them, in plain C: the words of plugin.h and oracle.h.
+/// C99 or C++11. Every number is a double that denotes exactly the real it is; what works in float is
+/// given doubles that are floats.
+
+#include <math.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct rayaudit_vec3 {
+  double x, y, z;
+} rayaudit_vec3;
+
+/// The points origin + t direction with t_min < t < t_max: t counts in units of the direction as
+/// given, whatever its length.
+typedef struct rayaudit_ray {
+  rayaudit_vec3 origin, direction;
+  double t_min, t_max;  ///< 0 and INFINITY for the half-line
+} rayaudit_ray;
+
+/// The flat disk, rim included; the normal of any length but 0.
+typedef struct rayaudit_disk {
+  rayaudit_vec3 centre, normal;
+  double radius;
+} rayaudit_disk;
+
+typedef struct rayaudit_sphere {
+  rayaudit_vec3 centre;
+  double radius;
+} rayaudit_sphere;
+
+/// The lateral surface from base centre to top centre, open at both ends, its rims included.
+typedef struct rayaudit_cylinder {
+  rayaudit_vec3 base, top;
+  double radius;
+} rayaudit_cylinder;
+
+/// The lateral surface from a base of that centre and radius to the apex: one nappe.
+typedef struct rayaudit_cone {
+  rayaudit_vec3 base, apex;
+  double radius;
+} rayaudit_cone;
+
+typedef enum rayaudit_shape {
+  RAYAUDIT_DISK = 0,
+  RAYAUDIT_SPHERE = 1,
+  RAYAUDIT_CYLINDER = 2,
+  RAYAUDIT_CONE = 3
+} rayaudit_shape;
+
+/// Do they meet, and where first?
+typedef struct rayaudit_case {
+  rayaudit_ray ray;
+  int32_t shape;  ///< a rayaudit_shape, which says what of the union is meant
+  union {
+    rayaudit_disk disk;
+    rayaudit_sphere sphere;
+    rayaudit_cylinder cylinder;
+    rayaudit_cone cone;
+    double numbers[16];  ///< room for shapes to come
+  } is;
+} rayaudit_case;
+
+typedef enum rayaudit_form {
+  RAYAUDIT_MISS = 0,  ///< they do not meet
+  RAYAUDIT_HIT = 1,   ///< they meet at t
+  RAYAUDIT_AT = 2,    ///< they meet at a point
+  RAYAUDIT_YES = 3    ///< they meet, no word of where
+} rayaudit_form;
+
+/// What is said of a case. A value is the exact sum of a double and a low part: so a long double or
+/// a pair of doubles is told without loss.
+typedef struct rayaudit_answer {
+  int32_t form;  ///< a rayaudit_form
+  double t, t_low;
+  rayaudit_vec3 point, point_low;
+} rayaudit_answer;
+
+static inline rayaudit_answer rayaudit_of_form(rayaudit_form form) {
+  rayaudit_answer answer = {0, 0, 0, {0, 0, 0}, {0, 0, 0}};
+  answer.form = form;
+  return answer;
+}
+static inline rayaudit_answer rayaudit_miss(void) { return rayaudit_of_form(RAYAUDIT_MISS); }
+static inline rayaudit_answer rayaudit_yes(void) { return rayaudit_of_form(RAYAUDIT_YES); }
+static inline rayaudit_answer rayaudit_hit(double t) {
+  rayaudit_answer answer = rayaudit_of_form(RAYAUDIT_HIT);
+  answer.t = t;
+  return answer;
+}
+static inline rayaudit_answer rayaudit_at(double x, double y, double z) {
+  rayaudit_answer answer = rayaudit_of_form(RAYAUDIT_AT);
+  answer.point.x = x, answer.point.y = y, answer.point.z = z;
+  return answer;
+}
+/// Exactly t, to the last bit of x87's 64.
+static inline rayaudit_answer rayaudit_hit_long(long double t) {
+  rayaudit_answer answer = rayaudit_hit((double)t);
+  if (isfinite(answer.t)) answer.t_low = (double)(t - answer.t);
+  return answer;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

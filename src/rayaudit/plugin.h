@@ -1,0 +1,99 @@
+#ifndef RAYAUDIT_PLUGIN_H
+#define RAYAUDIT_PLUGIN_H
+
+/// What a shared object defines to be audited: `rayaudit audit --plugin ./libmine.so`. C99 or C++11;
+/// nothing to link. For instance
+///
+///     #include <rayaudit/plugin.h>
+///
+///     static void spheres(const rayaudit_case* cases, size_t count, rayaudit_answer* answers) {
+///       for (size_t i = 0; i < count; ++i) {
+///         const rayaudit_ray* ray = &cases[i].ray;
+///         const rayaudit_sphere* sphere = &cases[i].is.sphere;
+///         double t;
+///         answers[i] = my_intersect(ray, sphere, &t) ? rayaudit_hit(t) : rayaudit_miss();
+///       }
+///     }
+///
+///     static const rayaudit_subject subjects[] = {
+///         {.name = "mine", .format = "float", .sphere = spheres}};
+///     RAYAUDIT_PLUGIN(subjects)
+///
+/// It is loaded by a child process: what it does to its process is told as a finding, and no more.
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "case.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// Of this header. A program knows every version up to its own.
+#define RAYAUDIT_PLUGIN_VERSION 1u
+
+/// What a subject says of something that mathematics leaves open. Where it does not say, either is
+/// right, and what it was seen to do is reported.
+typedef enum rayaudit_stance {
+  RAYAUDIT_EITHER = 0,
+  RAYAUDIT_IS_HIT = 1,
+  RAYAUDIT_IS_MISS = 2
+} rayaudit_stance;
+
+/// What a subject says of a hit at which the ray comes from inside the body (not of a disk).
+typedef enum rayaudit_inside {
+  RAYAUDIT_INSIDE_IS_HIT = 0,    ///< a hit like any other
+  RAYAUDIT_INSIDE_IS_MISS = 1,   ///< the ray meets nothing
+  RAYAUDIT_INSIDE_IS_START = 2,  ///< the hit is where the ray starts, at t_min
+} rayaudit_inside;
+
+/// What a subject declares, and is then held to; all 0 declares nothing.
+typedef struct rayaudit_convention {
+  int32_t tangent, rim, apex, start, end, within;  ///< each a rayaudit_stance towards such a touch
+  int32_t inside;          ///< a rayaudit_inside
+  int32_t unit_direction;  ///< not 0: it is to be given directions normalised in its format
+  int32_t line;            ///< not 0: it answers for the whole line, both ways
+  double t_min, t_max;     ///< it answers within these only, whatever the ray has; both 0: any
+} rayaudit_convention;
+
+/// Answers count cases, all of one shape: answers[i] is to be the answer to cases[i]. All answers
+/// are misses when it is called. One call at a time.
+typedef void (*rayaudit_batch)(const rayaudit_case* cases, size_t count, rayaudit_answer* answers);
+
+typedef struct rayaudit_subject {
+  const char* name;    ///< one word; reports call the subject name/format
+  const char* format;  ///< what it works in: float, double or long_double
+  rayaudit_convention convention;
+  rayaudit_batch disk, sphere, cylinder, cone;  ///< null where it does not answer the shape
+} rayaudit_subject;
+
+typedef struct rayaudit_plugin {
+  uint32_t version;  ///< RAYAUDIT_PLUGIN_VERSION; comes first in every version
+  uint32_t case_size, answer_size, subject_size;
+  size_t count;
+  const rayaudit_subject* subjects;
+} rayaudit_plugin;
+
+#define RAYAUDIT_PLUGIN_ENTRY "rayaudit_plugin_entry"
+
+/// The one symbol of a plugin.
+__attribute__((visibility("default"))) const rayaudit_plugin* rayaudit_plugin_entry(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+/// Defines it, from an array of subjects.
+#define RAYAUDIT_PLUGIN(array)                                                               \
+  const rayaudit_plugin* rayaudit_plugin_entry(void) {                                       \
+    static const rayaudit_plugin plugin = {RAYAUDIT_PLUGIN_VERSION,                          \
+                                           (uint32_t)sizeof(rayaudit_case),                  \
+                                           (uint32_t)sizeof(rayaudit_answer),                \
+                                           (uint32_t)sizeof(rayaudit_subject),               \
+                                           sizeof(array) / sizeof((array)[0]),               \
+                                           array};                                           \
+    return &plugin;                                                                          \
+  }
+
+#endif
