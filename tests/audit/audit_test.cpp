@@ -328,6 +328,128 @@ BOOST_AUTO_TEST_CASE(a_convention_reaches_the_judge) {
   BOOST_TEST(refused > 0u);
 }
 
+BOOST_AUTO_TEST_CASE(what_a_subject_declares_is_what_it_is_held_to) {
+  Subject declaring = *subject_of("textbook/double");
+  declaring.convention.of(oracle::Kind::tangent) = Convention::Stance::miss;
+  Plan plan = part(1000);
+  plan.subjects = {&declaring, subject_of("textbook/double")};
+  plan.families = {family_of("tangent")}, plan.shapes = {sphere};
+  const std::vector<Audit> audits = run(plan);
+  BOOST_TEST(audits[0].tally.of(Verdict::touch) == 0u);
+  BOOST_TEST(audits[0].tally.of(Claim::declined) > 0u);
+  BOOST_TEST(audits[1].tally.of(Verdict::touch) == plan.cases);
+}
+
+BOOST_AUTO_TEST_CASE(who_takes_unit_directions_only_is_asked_with_such) {
+  Subject unit = *subject_of("unit_direction/double");
+  unit.convention.unit_direction = true;
+  Plan plan = part(2000);
+  plan.subjects = {&unit, subject_of("unit_direction/double")};
+  plan.families = {family_of("length")}, plan.shapes = {sphere};
+  const std::vector<Audit> audits = run(plan);
+  BOOST_TEST(audits[0].tally.wrong() < audits[1].tally.wrong() / 4);
+  for (const Outcome& outcome : audits[0].tally.outcomes) {
+    const auto& [x, y, z] = outcome.worst->question.ray.direction;
+    BOOST_TEST(std::fabs(std::hypot(x, y, z) - 1) < 0x1p-51, case_line(outcome.worst->question));
+  }
+}
+
+namespace {
+
+/// A subject elsewhere that is none: it answers here, and notes what it is asked.
+struct Elsewhere {
+  std::vector<std::size_t> batches;
+  std::vector<Case> asked;
+  Answer answer = Answer::miss();
+  Subject subject = {"elsewhere/double", double_format, {}};
+
+  Elsewhere() {
+    subject.is_elsewhere = true;
+    subject.answer[sphere] = [this](std::span<const Case> cases, std::span<Answer> answers) {
+      batches.push_back(cases.size());
+      asked.insert(asked.end(), cases.begin(), cases.end());
+      for (Answer& each : answers) each = answer;
+    };
+  }
+
+  Plan plan(std::uint64_t cases) {
+    Plan made = part(cases);
+    made.subjects = {&subject}, made.shapes = {sphere};
+    made.families = {family_of("anywhere"), family_of("grazing")};
+    made.causes = false;
+    return made;
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_subject_elsewhere_is_asked_in_order_in_long_batches) {
+  for (const int threads : {1, 2}) {
+    Elsewhere elsewhere;
+    Plan plan = elsewhere.plan(batch_elsewhere + 2000);
+    plan.threads = threads;
+    const std::vector<Audit> audits = run(plan);
+    const std::vector<std::size_t> batches = {batch_elsewhere, 2000, batch_elsewhere, 2000};
+    BOOST_TEST(elsewhere.batches == batches, boost::test_tools::per_element());
+    std::vector<Case> first(chunk_cases), second(chunk_cases);
+    draw(*plan.families[0], sphere, double_format, {}, plan.seed, 0, first);
+    draw(*plan.families[0], sphere, double_format, {}, plan.seed, 1, second);
+    first.insert(first.end(), second.begin(), second.end());
+    BOOST_TEST(std::equal(first.begin(), first.end(), elsewhere.asked.begin()));
+    for (const Audit& audit : audits) BOOST_TEST(audit.tally.cases == plan.cases);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_crash_is_tallied_and_cases_that_were_not_asked_are_not) {
+  Elsewhere elsewhere;
+  elsewhere.subject.answer[sphere] = [](std::span<const Case> cases, std::span<Answer> answers) {
+    for (std::size_t i = 0; i < cases.size(); ++i)
+      answers[i] = i < 10 ? Answer::crashed(11) : Answer::unasked();
+  };
+  const Audit audit = run(elsewhere.plan(1500))[0];
+  BOOST_TEST(audit.tally.cases == 10u);
+  BOOST_TEST(audit.tally.of(Verdict::crashed) == 10u);
+  BOOST_TEST(audit.tally.unasked == 1490u);
+  BOOST_TEST(audit.tally.worst(Verdict::crashed)->answer.signal == 11);
+  elsewhere.answer = Answer::unasked();
+  elsewhere.subject.answer[sphere] = [](std::span<const Case>, std::span<Answer> answers) {
+    for (Answer& answer : answers) answer = Answer::unasked();
+  };
+  BOOST_TEST(run(elsewhere.plan(1500)).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_finding_of_a_subject_elsewhere_is_asked_again_alone) {
+  Elsewhere elsewhere;
+  elsewhere.answer = Answer::crashed(6);
+  Plan plan = elsewhere.plan(1000);
+  plan.causes = true;
+  BOOST_TEST(run(plan)[0].tally.worst(Verdict::crashed)->repeats);
+  // It crashes among others only.
+  elsewhere.subject.answer[sphere] = [](std::span<const Case> cases, std::span<Answer> answers) {
+    for (Answer& answer : answers) answer = cases.size() > 1 ? Answer::crashed(6) : Answer::miss();
+  };
+  BOOST_TEST(!run(plan)[0].tally.worst(Verdict::crashed)->repeats);
+}
+
+BOOST_AUTO_TEST_CASE(shards_that_are_merged_tell_what_one_run_tells) {
+  Plan plan = part(5000);
+  const std::vector<Audit> whole = gathered(plan);
+  std::vector<Audit> merged;
+  plan.shards = 3;
+  for (plan.shard = 0; plan.shard < plan.shards; ++plan.shard) {
+    const std::vector<Audit> shard = gathered(plan);
+    if (merged.empty()) merged = shard;
+    for (std::size_t i = 0; plan.shard > 0 && i < shard.size(); ++i)
+      merged[i].tally.merge(shard[i].tally);
+  }
+  BOOST_TEST_REQUIRE(merged.size() == whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    BOOST_TEST(merged[i].tally.cases == whole[i].tally.cases);
+    BOOST_TEST((merged[i].tally.verdicts == whole[i].tally.verdicts));
+    BOOST_TEST(merged[i].tally.ulps.largest() == whole[i].tally.ulps.largest());
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_difficulty_reaches_the_family) {
   Plan plan = part(1000);
   plan.subjects = {subject_of("textbook/float")}, plan.families = {family_of("far")};

@@ -152,6 +152,45 @@ BOOST_AUTO_TEST_CASE(a_declared_convention_is_held) {
   BOOST_TEST(told(on_it + "hit 2", start) == "wrong_root declined");
 }
 
+BOOST_AUTO_TEST_CASE(a_hit_from_inside_may_be_declared_to_be_none) {
+  Convention misses;
+  misses.inside = Convention::Inside::miss;
+  BOOST_TEST(told(inside + "miss", misses) == "right");
+  BOOST_TEST(told(inside + "hit 1", misses) == "false_hit declined");
+  BOOST_TEST(told(through + "hit 2", misses) == "right");
+  BOOST_TEST(told(through + "miss", misses) == "false_miss");
+  BOOST_TEST(told(on_it + "hit 2", misses) == "wrong_root declined");
+  BOOST_TEST(told(on_it + "hit 0", misses) == "touch");
+  BOOST_TEST(told("disk 0 0 0 0 1 0 1 ray 0 1 0 0 -1 0 hit 1", misses) == "right");
+  BOOST_TEST(told("disk 0 0 0 0 1 0 1 ray 0 -1 0 0 1 0 hit 1", misses) == "right");
+  BOOST_TEST(told("cylinder 0 0 0 0 1 0 1 ray 0 0.5 0 1 0 0 miss", misses) == "right");
+}
+
+BOOST_AUTO_TEST_CASE(a_hit_from_inside_may_be_declared_to_be_the_start) {
+  Convention start;
+  start.inside = Convention::Inside::start;
+  BOOST_TEST(told(inside + "hit 0", start) == "right");
+  BOOST_TEST(told(inside + "at 0 0 0", start) == "right");
+  BOOST_TEST(told(inside + "yes", start) == "right");
+  BOOST_TEST(told(inside + "hit 1", start) == "wrong_root declined");
+  BOOST_TEST(told(inside + "hit nan", start) == "not_finite nan");
+  BOOST_TEST(told(inside + "miss", start) == "false_miss");
+  BOOST_TEST(told(through + "hit 2", start) == "right");
+  BOOST_TEST(told("sphere 0 0 0 1 ray 0 0 0 0 0 1 range 0.5 9 hit 0.5", start) == "right");
+}
+
+BOOST_AUTO_TEST_CASE(what_stands_in_place_of_an_answer_is_a_verdict_of_its_own) {
+  BOOST_TEST(told(through + "crashed") == "crashed");
+  BOOST_TEST(told(past + "crashed") == "crashed");
+  BOOST_TEST(told(through + "garbage") == "crashed garbage");
+  BOOST_TEST(told(grazing + "timed_out") == "timed_out");
+  BOOST_TEST(told(no_case + "crashed") == "invalid_mishandled ended");
+  BOOST_TEST(told(no_case + "garbage") == "invalid_mishandled garbage");
+  BOOST_TEST(told(no_case + "timed_out") == "invalid_mishandled hung");
+  for (const Verdict verdict : {Verdict::crashed, Verdict::timed_out})
+    BOOST_TEST(is_wrong(verdict));
+}
+
 BOOST_AUTO_TEST_CASE(a_t_past_a_stretch_is_measured_from_its_end) {
   // The ray lies in the disk from 1 to 2000001; the answer is 16 ulps past that.
   const std::string along = "disk 0 0 0 0 1 0 1000000 ray -1000001 0 0 1 0 0 ";
