@@ -1,5 +1,7 @@
 #include "geometry/case_line.hpp"
 
+#include <locale.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -202,8 +204,9 @@ std::optional<double> read_decimal(std::string_view text, std::string_view word,
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (fault == std::errc::invalid_argument || end != text.data() + text.size()) return std::nullopt;
   if (fault != std::errc::result_out_of_range) return number;
-  // Out of range is said of overflow and underflow alike.
-  number = std::strtod(std::string(text).c_str(), nullptr);
+  // Out of range is said of overflow and underflow alike. The point is one in any locale.
+  static const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);
+  number = strtod_l(std::string(text).c_str(), nullptr, plain);
   if (std::isinf(number)) throw_overflow(word, place);
   return number;
 }

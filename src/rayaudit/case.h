@@ -2,8 +2,8 @@
 #define RAYAUDIT_CASE_H
 
 /// A ray, a shape, and what may be said of them, in plain C: the words of plugin.h and oracle.h.
-/// C99 or C++11. Every number is a double that denotes exactly the real it is; what works in float is
-/// given doubles that are floats.
+/// C99 or C++11. Every number is a double that denotes exactly the real it is; what works in float
+/// is given doubles that are floats.
 
 #include <math.h>
 #include <stdint.h>

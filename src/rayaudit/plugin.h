@@ -1,8 +1,8 @@
 #ifndef RAYAUDIT_PLUGIN_H
 #define RAYAUDIT_PLUGIN_H
 
-/// What a shared object defines to be audited: `rayaudit audit --plugin ./libmine.so`. C99 or C++11;
-/// nothing to link. For instance
+/// What a shared object defines to be audited: `rayaudit audit --plugin ./libmine.so`. C99 or
+/// C++11; nothing to link. For instance
 ///
 ///     #include <rayaudit/plugin.h>
 ///
@@ -25,6 +25,7 @@
 #include <stdint.h>
 
 #include "case.h"
+#include "convention.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -32,30 +33,6 @@ extern "C" {
 
 /// Of this header. A program knows every version up to its own.
 #define RAYAUDIT_PLUGIN_VERSION 1u
-
-/// What a subject says of something that mathematics leaves open. Where it does not say, either is
-/// right, and what it was seen to do is reported.
-typedef enum rayaudit_stance {
-  RAYAUDIT_EITHER = 0,
-  RAYAUDIT_IS_HIT = 1,
-  RAYAUDIT_IS_MISS = 2
-} rayaudit_stance;
-
-/// What a subject says of a hit at which the ray comes from inside the body (not of a disk).
-typedef enum rayaudit_inside {
-  RAYAUDIT_INSIDE_IS_HIT = 0,    ///< a hit like any other
-  RAYAUDIT_INSIDE_IS_MISS = 1,   ///< the ray meets nothing
-  RAYAUDIT_INSIDE_IS_START = 2,  ///< the hit is where the ray starts, at t_min
-} rayaudit_inside;
-
-/// What a subject declares, and is then held to; all 0 declares nothing.
-typedef struct rayaudit_convention {
-  int32_t tangent, rim, apex, start, end, within;  ///< each a rayaudit_stance towards such a touch
-  int32_t inside;          ///< a rayaudit_inside
-  int32_t unit_direction;  ///< not 0: it is to be given directions normalised in its format
-  int32_t line;            ///< not 0: it answers for the whole line, both ways
-  double t_min, t_max;     ///< it answers within these only, whatever the ray has; both 0: any
-} rayaudit_convention;
 
 /// Answers count cases, all of one shape: answers[i] is to be the answer to cases[i]. All answers
 /// are misses when it is called. One call at a time.
@@ -85,15 +62,15 @@ __attribute__((visibility("default"))) const rayaudit_plugin* rayaudit_plugin_en
 #endif
 
 /// Defines it, from an array of subjects.
-#define RAYAUDIT_PLUGIN(array)                                                               \
-  const rayaudit_plugin* rayaudit_plugin_entry(void) {                                       \
-    static const rayaudit_plugin plugin = {RAYAUDIT_PLUGIN_VERSION,                          \
-                                           (uint32_t)sizeof(rayaudit_case),                  \
-                                           (uint32_t)sizeof(rayaudit_answer),                \
-                                           (uint32_t)sizeof(rayaudit_subject),               \
-                                           sizeof(array) / sizeof((array)[0]),               \
-                                           array};                                           \
-    return &plugin;                                                                          \
+#define RAYAUDIT_PLUGIN(array)                                                 \
+  const rayaudit_plugin* rayaudit_plugin_entry(void) {                         \
+    static const rayaudit_plugin plugin = {RAYAUDIT_PLUGIN_VERSION,            \
+                                           (uint32_t)sizeof(rayaudit_case),    \
+                                           (uint32_t)sizeof(rayaudit_answer),  \
+                                           (uint32_t)sizeof(rayaudit_subject), \
+                                           sizeof(array) / sizeof((array)[0]), \
+                                           array};                             \
+    return &plugin;                                                            \
   }
 
 #endif

@@ -1,0 +1,1 @@
+#include "geometry/vec3.hpp"

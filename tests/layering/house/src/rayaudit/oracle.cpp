@@ -1,0 +1,2 @@
+#include "rayaudit/case.h"
+#include "routines/textbook.hpp"
