@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 
 namespace rayaudit {
 
@@ -22,6 +23,9 @@ class Histogram {
   /// How many values lie from 2^exponent to 2^(exponent + 1), for exponents from least_octave to
   /// most_octave: the first holds all that are smaller too, the last all that are larger.
   std::uint64_t octave(int exponent) const;
+  /// All that it holds, to be written and read exactly.
+  auto parts() { return std::tie(counts_, count_, largest_); }
+  auto parts() const { return std::tie(counts_, count_, largest_); }
 
  private:
   std::array<std::uint64_t, octaves* steps + 2> counts_ = {};  ///< first: below, last: above

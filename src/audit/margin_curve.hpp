@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 
 namespace rayaudit {
 
@@ -44,6 +45,9 @@ class MarginCurve {
   }
   /// The cases with a margin from 2^exponent to 2^(exponent + 1).
   const Step& at(int exponent) const { return steps_[exponent - least]; }
+  /// All that it holds, to be written and read exactly.
+  auto parts() { return std::tie(steps_); }
+  auto parts() const { return std::tie(steps_); }
 
  private:
   static int exponent(double margin) { return std::isinf(margin) ? most : std::ilogb(margin); }

@@ -1,24 +1,18 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <optional>
-
 #include "audit/audit.hpp"
+#include "cli/audit_end.hpp"
 #include "cli/bounds_option.hpp"
 #include "cli/command.hpp"
 #include "cli/command_text.hpp"
 #include "cli/convention_option.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/fail_on.hpp"
 #include "cli/names.hpp"
 #include "cli/option.hpp"
-#include "cli/output.hpp"
 #include "cli/progress_bar.hpp"
-#include "cli/report_order.hpp"
 #include "cli/selection.hpp"
+#include "cli/shard_option.hpp"
 #include "geometry/error.hpp"
-#include "reports/explain_line.hpp"
-#include "reports/figures.hpp"
 
 namespace rayaudit {
 namespace {
@@ -33,13 +27,11 @@ Plan default_plan() {
 }
 
 struct AuditOptions {
-  std::vector<std::string> subjects, shapes, families, reports, bounds;
+  std::vector<std::string> subjects, shapes, families, bounds;
   Plan plan = default_plan();
-  FailOn fail_on;
-  std::string written_bounds;  ///< the file for what is observed, or empty
-  std::string command;         ///< all of this as it was typed
-  int headroom = 1;
-  bool all_findings = false;
+  bool is_shard = false;
+  AuditEnd end;
+  std::string command;  ///< what of it was typed that says what is run
 };
 
 /// A difficulty must be one of every family that has any, in every format it will be drawn in.
@@ -74,106 +66,29 @@ Plan plan_of(const AuditOptions& options) {
   return plan;
 }
 
+/// What of the command line says what is run: not where to, how fast, nor in how many parts.
+std::string command_text_of_run(const CLI::App& command) {
+  std::vector<std::string> others = audit_end_options();
+  others.insert(others.end(), {"--threads", "--shard"});
+  return command_text(command, others);
+}
+
 std::vector<Audit> run_with_progress(const Plan& plan) {
   ProgressBar bar;
   return run(plan, [&](const Progress& progress) { bar.tell(progress); });
 }
 
-int told_breach(const Plan& plan, const std::vector<Audit>& audits, const FailOn& fail_on) {
-  const auto breaks = [&](const Audit& audit) { return breach(fail_on, audit.tally).has_value(); };
-  const auto first = std::find_if(audits.begin(), audits.end(), breaks);
-  if (first == audits.end()) return all_held;
-  const Breach broken = *breach(fail_on, first->tally);
-  const auto others = std::count_if(first + 1, audits.end(), breaks);
-  complain(fmt::format(
-      "--fail-on: {} on {}, family {}: {}{}: {}", first->subject->name, shape_names[first->shape],
-      first->family->id, broken.words,
-      others > 0 ? fmt::format(" (and {} more audit{})", others, others == 1 ? " fails" : "s fail")
-                 : "",
-      explain_line(broken.worst, *first->subject, plan.convention)));
-  return found;
-}
-
-/// How many broken limits are told where not all of them were asked for.
-constexpr std::size_t broken_shown = 10;
-
-int told_broken(const Plan& plan, const std::vector<Audit>& audits, bool all) {
-  const std::vector<Broken> found_broken = broken(plan.bounds, audits);
-  const std::size_t shown = all ? found_broken.size() : std::min(found_broken.size(), broken_shown);
-  for (std::size_t i = 0; i < shown; ++i) complain(told(found_broken[i], plan.convention));
-  if (const std::size_t more = found_broken.size() - shown; more > 0)
-    complain(fmt::format("{} more limit{} broken: --all-findings tells all", more,
-                         more == 1 ? " is" : "s are"));
-  return found_broken.empty() ? all_held : found;
-}
-
-/// A certified verdict that the exact replay does not share is a flaw of ours, not of the subject.
-int told_uncertain(const std::vector<Audit>& audits) {
-  for (const Audit& audit : audits)
-    if (const Certificate& certificate = audit.tally.certificate; certificate.wrong > 0) {
-      complain(fmt::format(
-          "self-check: {} of {} certified answers of {} on {}, family {}, differ from its exact "
-          "replay; rayaudit is at fault: {}",
-          certificate.wrong, certificate.compared, audit.subject->name, shape_names[audit.shape],
-          audit.family->id, explain_line(*certificate.first_wrong, *audit.subject)));
-      return unfit;
-    }
-  return all_held;
-}
-
-std::string write_observed(const AuditOptions& options, const std::vector<Audit>& audits) {
-  std::vector<std::string> head = {fmt::format(
-      "What rayaudit {} observed in {} cases for each subject, shape and family, seed {}",
-      RAYAUDIT_VERSION, figures::grouped(options.plan.cases), options.plan.seed)};
-  if (options.headroom > 1)
-    head.push_back(
-        fmt::format("(errors and margins times {}; what may well be chance is left out), by",
-                    options.headroom));
-  head.push_back("  " + options.command);
-  return write_bounds(observed(audits, options.headroom), head);
-}
-
-/// What is asked for: the table where there is nothing else for standard output.
-std::vector<ReportOrder> orders_of(const AuditOptions& options) {
-  if (!options.reports.empty()) return orders_of(options.reports, reports());
-  if (options.written_bounds == "-") return {};
-  return orders_of({"table"}, reports());
-}
-
-/// Where the observed bounds go, as the places of reports are told, if anywhere.
-std::optional<std::string> place_of_observed(const AuditOptions& options) {
-  if (options.written_bounds.empty()) return std::nullopt;
-  return options.written_bounds == "-" ? "" : options.written_bounds;
-}
-
 int audit(const AuditOptions& options) {
   const Plan plan = plan_of(options);
-  const std::vector<ReportOrder> orders = orders_of(options);
-  const std::optional<std::string> observed_to = place_of_observed(options);
-  std::vector<std::string> files;
-  files.reserve(orders.size() + 1);
-  for (const ReportOrder& order : orders) files.push_back(order.file);
-  if (observed_to) files.push_back(*observed_to);
-  require_places(files);
+  if (options.is_shard) return run_shard(plan, options.end, options.command);
+  const ReadyEnd end = ready(options.end, plan);
   const std::vector<Audit> audits = run_with_progress(plan);
-  const Run run = {RAYAUDIT_VERSION, plan, audits, environment(), options.command};
-  // Standard output comes last: where its reader has gone, the files are there.
-  for (const bool to_stdout : {false, true}) {
-    deliver(orders, reports(), run, {.everything = options.all_findings}, to_stdout);
-    if (observed_to && observed_to->empty() == to_stdout)
-      deliver(*observed_to, write_observed(options, audits));
-  }
-  const int breach = told_breach(plan, audits, options.fail_on);
-  const int broken = told_broken(plan, audits, options.all_findings);
-  return std::max({breach, broken, told_uncertain(audits)});
+  return told(end, {RAYAUDIT_VERSION, plan, audits, environment(), options.command});
 }
 
 void add_names(CLI::App& command, const std::shared_ptr<AuditOptions>& options) {
   add_subjects_and_shapes(command, options->subjects, options->shapes);
   add_list(command, "--family", "FAMILY,...", "names or globs", options->families)->delimiter(',');
-  add_list(command, "--report", "FORMAT[=FILE]",
-           "table (the default), json, csv or html; may be repeated, but one at most to stdout",
-           options->reports);
 }
 
 void add_numbers(CLI::App& command, const std::shared_ptr<AuditOptions>& options) {
@@ -189,19 +104,21 @@ void add_numbers(CLI::App& command, const std::shared_ptr<AuditOptions>& options
       ->type_name("K");
   add_number(command, "--threads", "else one for each processor; the findings are the same", 1,
              1024, [=](std::int64_t n) { options->plan.threads = static_cast<int>(n); });
+  add_option(command, "--shard", "i/n",
+             "the i-th of n parts of all cases, for `rayaudit merge`; with --report shard=FILE",
+             [=](const std::string& text) {
+               const auto [shard, shards] = read_shard_of_run(text);
+               options->plan.shard = shard, options->plan.shards = shards;
+               options->is_shard = true;
+             });
 }
 
 void add_judgement(CLI::App& command, const std::shared_ptr<AuditOptions>& options) {
   add_option(command, "--convention", "KIND=STANCE,...",
              "what the subjects declare of touches, as tangent=hit,rim=miss",
              [=](const std::string& text) { options->plan.convention = read_convention(text); });
-  add_option(command, "--fail-on", "VERDICT,...",
-             "exit 1 where one of these occurs; also max_ulp=N",
-             [=](const std::string& text) { options->fail_on = read_fail_on(text); });
   command.add_flag("--thorough", options->plan.thorough,
                    "margins, proofs and causes of every case, not of a share");
-  command.add_flag("--all-findings", options->all_findings,
-                   "in the table and of broken bounds, not only the worst");
 }
 
 void add_bounds(CLI::App& command, const std::shared_ptr<AuditOptions>& options) {
@@ -209,17 +126,6 @@ void add_bounds(CLI::App& command, const std::shared_ptr<AuditOptions>& options)
            "exit 1 where a row of the file is broken; only what its rows name is audited; may be "
            "repeated",
            options->bounds);
-  CLI::Option* written = add_option(command, "--write-bounds", "FILE",
-                                    "write what is observed as such rows; - is standard output",
-                                    [=](const std::string& file) {
-                                      if (file.empty())
-                                        throw Error("--write-bounds: expected a file");
-                                      options->written_bounds = file;
-                                    });
-  add_number(command, "--headroom",
-             "with it: grant errors and margins N times as large, leave out what may be chance", 1,
-             1000, [=](std::int64_t n) { options->headroom = static_cast<int>(n); })
-      ->needs(written);
 }
 
 }  // namespace
@@ -232,9 +138,11 @@ void add_audit_command(CLI::App& program, Command& asked) {
   add_numbers(*command, options);
   add_judgement(*command, options);
   add_bounds(*command, options);
+  add_audit_end(*command, options->end);
   command->footer(
       "Without names, every subject, shape and family is audited. A subject that is wrong is a\n"
-      "finding, not a failure: the exit code is 0 unless --fail-on or --bounds says otherwise.\n\n"
+      "finding, not a failure: the exit code is 0 unless --fail-on, --bounds or --baseline says\n"
+      "otherwise.\n\n"
       "Each row of a file of bounds is a promise: SUBJECT SHAPE FAMILY, names or globs; limits "
       "and\n"
       "their values; and whether it is proved or only observed, as in\n"
@@ -246,9 +154,11 @@ void add_audit_command(CLI::App& program, Command& asked) {
       "  rayaudit audit '*/float' --report table --report json=audit.json\n"
       "  rayaudit audit stable_quadratic/double --fail-on false_hit,false_miss,max_ulp=100\n"
       "  rayaudit audit 'textbook/*' --cases 1e6 --headroom 2 --write-bounds mine.txt\n"
-      "  rayaudit audit --bounds mine.txt --seed 2\n");
+      "  rayaudit audit --bounds mine.txt --seed 2\n"
+      "  rayaudit audit '*/float' --baseline audit.json\n");
   command->callback([=, &asked] {
-    options->command = command_text(*command);
+    options->end.command = command_text(*command);
+    options->command = command_text_of_run(*command);
     asked = [options] { return audit(*options); };
   });
 }

@@ -19,6 +19,8 @@ void add_ladder_command(CLI::App& program, Command& asked);
 void add_draw_command(CLI::App& program, Command& asked);
 void add_truth_command(CLI::App& program, Command& asked);
 void add_judge_command(CLI::App& program, Command& asked);
+void add_diff_command(CLI::App& program, Command& asked);
+void add_merge_command(CLI::App& program, Command& asked);
 void add_list_command(CLI::App& program, Command& asked);
 void add_serve_module_command(CLI::App& program, Command& asked);
 

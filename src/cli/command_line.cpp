@@ -93,6 +93,8 @@ Command read_command_line(int argc, const char* const* argv) {
   add_draw_command(program, asked);
   add_truth_command(program, asked);
   add_judge_command(program, asked);
+  add_diff_command(program, asked);
+  add_merge_command(program, asked);
   add_list_command(program, asked);
   add_serve_module_command(program, asked);
   try {

@@ -22,13 +22,15 @@ std::string quoted(const std::string& word) {
 
 }  // namespace
 
-std::string command_text(const CLI::App& command) {
+std::string command_text(const CLI::App& command, const std::vector<std::string>& without) {
   std::string text = "rayaudit " + command.get_name();
-  for (const CLI::Option* option : command.get_options())
+  for (const CLI::Option* option : command.get_options()) {
+    if (std::find(without.begin(), without.end(), option->get_name()) != without.end()) continue;
     for (const std::string& value : option->results()) {
       if (!option->get_positional()) text += ' ' + option->get_name();
       if (option->get_expected_max() > 0) text += ' ' + quoted(value);
     }
+  }
   return text;
 }
 

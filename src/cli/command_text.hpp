@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -8,7 +9,7 @@ class App;
 
 namespace rayaudit {
 
-/// The command line that a command was read from, as a shell takes it.
-std::string command_text(const CLI::App& command);
+/// The command line that a command was read from, as a shell takes it, without some options.
+std::string command_text(const CLI::App& command, const std::vector<std::string>& without = {});
 
 }  // namespace rayaudit

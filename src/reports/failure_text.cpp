@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/case_line.hpp"
+#include "geometry/signal_name.hpp"
 #include "reports/figures.hpp"
 #include "reports/sentence.hpp"
 
@@ -46,6 +47,7 @@ std::string got(const Answer& answer, const Format& format) {
   if (answer.form == Answer::Form::hit) return "hit " + spelled(answer.t, format);
   std::string text;
   write(text, answer);
+  if (answer.signal != 0) text += fmt::format(" by {}", signal_name(answer.signal));
   return text;
 }
 
@@ -94,9 +96,8 @@ std::string error_words(const Judgement& judgement, const Format& format) {
   return text;
 }
 
-std::string margin_words(double reach, const Format& format) {
-  if (reach == 0) return "0: there is a touch, and any rounding changes the truth";
-  const double margin = std::ldexp(reach, format.precision);
+std::string margin_words(double margin, const Format& format) {
+  if (margin == 0) return "0: there is a touch, and any rounding changes the truth";
   return fmt::format("{} u in {}: {}", magnitude(margin), format.name,
                      margin < excusable ? "rounding the numbers of the case may excuse it"
                                         : "no rounding of the case excuses it");
@@ -155,20 +156,33 @@ bool agrees(const Judgement& judgement, double max_ulp) {
   return !is_wrong(judgement.verdict) && !is_far;
 }
 
+std::string failure_text(const Failure& failure) {
+  const auto& [question, answer, format, judgement, margin, max_ulp, cause, repeats, command] =
+      failure;
+  const oracle::Truth truth = oracle::truth(question, oracle::bits_for(format));
+  std::string text = row("case", case_line(question)) + row("got", got(answer, format)) +
+                     row("truth", told(question, truth, format)) +
+                     row("verdict", verdict_words(judgement, max_ulp));
+  if (!std::isnan(judgement.ulps)) text += row("error", error_words(judgement, format));
+  if (!std::isnan(margin)) text += row("margin", margin_words(margin, format));
+  if (!cause.empty()) text += row("cause", cause);
+  if (!repeats) text += row("again", "not reproducible: asked alone it was not so wrong");
+  return text + row("explain", command);
+}
+
 std::string failure_text(const Case& question, const Answer& answer, const Format& format,
                          const Convention& convention, double max_ulp) {
   const oracle::Truth truth = oracle::truth(question, oracle::bits_for(format));
   Settled settled(question, truth);
   const Judgement judgement = judge(settled, answer, format, convention);
-  std::string text = row("case", case_line(question)) + row("got", got(answer, format)) +
-                     row("truth", told(question, truth, format)) +
-                     row("verdict", verdict_words(judgement, max_ulp));
-  if (!std::isnan(judgement.ulps)) text += row("error", error_words(judgement, format));
-  if (const double reach = settled.reach(); !std::isnan(reach))
-    text += row("margin", margin_words(reach, format));
-  if (const auto cause = cause_words(settled, answer, judgement, format); !cause.empty())
-    text += row("cause", cause);
-  return text + row("explain", command(question, answer, format, convention));
+  return failure_text({.question = question,
+                       .answer = answer,
+                       .format = format,
+                       .judgement = judgement,
+                       .margin = std::ldexp(settled.reach(), format.precision),
+                       .max_ulp = max_ulp,
+                       .cause = std::string(cause_words(settled, answer, judgement, format)),
+                       .command = command(question, answer, format, convention)});
 }
 
 }  // namespace rayaudit

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "audit/drawn.hpp"
 #include "audit/finding.hpp"
 #include "reports/explain_line.hpp"
 #include "reports/report.hpp"
@@ -60,6 +61,31 @@ Json worst(const Tally& tally) {
   return told;
 }
 
+/// Errors that no rounding of case or answer excuses, and the case that has the largest.
+Json own(const Audit& audit, const Convention& stated) {
+  Json own = errors(audit.tally.own);
+  if (const auto& worst = audit.tally.worst_own) {
+    own["case"] = answered_line(*worst);
+    own["explain"] = explain_line(*worst, *audit.subject, stated);
+  }
+  return own;
+}
+
+/// The wrong verdicts, each claim apart, with the worst case of each.
+Json outcomes(const Audit& audit, const Convention& stated) {
+  Json all = Json::array();
+  for (const auto& [verdict, claim, count, worst, causes] : audit.tally.outcomes)
+    if (is_wrong(verdict) && worst)
+      all.push_back({{"verdict", name(verdict)},
+                     {"claim", name(claim)},
+                     {"count", count},
+                     {"margin", number(worst->severity)},
+                     {"cause", told(worst->diagnosis)},
+                     {"case", answered_line(*worst)},
+                     {"explain", explain_line(*worst, *audit.subject, stated)}});
+  return all;
+}
+
 Json share(std::uint64_t part, std::uint64_t whole) {
   if (whole == 0) return nullptr;
   return static_cast<double>(part) / static_cast<double>(whole);
@@ -107,7 +133,22 @@ Json bound(const Certificate& certificate) {
           {"observed_case", line(observed)}};
 }
 
-Json told(const Audit& audit) {
+Json declared(const Convention& convention) {
+  constexpr std::string_view stances[] = {"either", "hit", "miss"};
+  constexpr std::string_view insides[] = {"hit", "miss", "start"};
+  Json told = Json::object();
+  for (std::size_t i = 1; i < convention.stances.size(); ++i)
+    told[std::string(name(nth<oracle::Kind>(i)))] =
+        stances[static_cast<std::size_t>(convention.stances[i])];
+  told["inside"] = insides[static_cast<std::size_t>(convention.inside)];
+  told["direction"] = convention.unit_direction ? "unit" : "any";
+  told["ray"] = convention.line ? "line" : "half";
+  told["t_min"] = number(convention.t_min);
+  told["t_max"] = number(convention.t_max);
+  return told;
+}
+
+Json told(const Audit& audit, const Plan& plan) {
   const Tally& tally = audit.tally;
   Json told = {{"subject", audit.subject->name},
                {"format", audit.subject->format.name},
@@ -125,9 +166,11 @@ Json told(const Audit& audit) {
   told["decided_by"] = {{"interval", tally.by_interval}, {"exact", tally.by_exact}};
   told["ulp"] = errors(tally.ulps);
   told["forced"] = errors(tally.forced);
+  told["own"] = own(audit, plan.convention);
   told["distance"] = errors(tally.distance);
   told["sides"] = counts<Side>(tally.sides);
   told["worst"] = worst(tally);
+  told["outcomes"] = outcomes(audit, plan.convention);
   told["causes"] = causes(tally);
   told["margin"] = margin(tally);
   const Certificate& certificate = tally.certificate;
@@ -138,6 +181,10 @@ Json told(const Audit& audit) {
   told["bound"] = bound(certificate);
   if (tally.stages != decltype(tally.stages){})
     told["stages"] = Json(std::vector(tally.stages.begin() + 1, tally.stages.end()));
+  if (tally.unasked > 0) told["unasked"] = tally.unasked;
+  if (audit.subject->convention != Convention{})
+    told["convention"] = declared(audit.subject->convention);
+  if (const auto cases = drawn(plan, audit)) told["drawn"] = fmt::format("{:016x}", *cases);
   return told;
 }
 
@@ -166,15 +213,6 @@ Json told(const Finding& finding) {
           {"example", answered_line(finding.example)}};
 }
 
-Json told(const Convention& convention) {
-  constexpr std::string_view stances[] = {"either", "hit", "miss"};
-  Json told = Json::object();
-  for (std::size_t i = 1; i < convention.stances.size(); ++i)
-    told[std::string(name(nth<oracle::Kind>(i)))] =
-        stances[static_cast<std::size_t>(convention.stances[i])];
-  return told;
-}
-
 /// Of how many of each chunk of cases more than the verdict was asked; all, in a thorough run.
 Json shares(const Plan& plan) {
   if (plan.thorough) return "all";
@@ -184,28 +222,25 @@ Json shares(const Plan& plan) {
           {"margins_in_exact_numbers", slow_margins_a_chunk}};
 }
 
-template <class List>
-Json list(const List& of) {
-  Json all = Json::array();
-  for (const auto& each : of) all.push_back(told(each));
-  return all;
-}
-
 }  // namespace
 
 std::string write_json(const Run& run, const Look&) {
   const Plan& plan = run.plan;
+  Json audits = Json::array(), found = Json::array();
+  for (const Audit& audit : run.audits) audits.push_back(told(audit, plan));
+  for (const Finding& finding : findings(run.audits)) found.push_back(told(finding));
   const Json report = {{"schema", 1},
+                       {"report", "audit"},
                        {"tool", tool(run.version)},
                        {"seed", plan.seed},
                        {"cases", plan.cases},
                        {"difficulty", plan.difficulty ? Json(*plan.difficulty) : Json(nullptr)},
-                       {"convention", told(plan.convention)},
+                       {"convention", declared(plan.convention)},
                        {"limits", {{"wrong_t", wrong_t_limit}}},
                        {"shares", shares(plan)},
                        {"environment", told(run.environment)},
-                       {"audits", list(run.audits)},
-                       {"findings", list(findings(run.audits))}};
+                       {"audits", audits},
+                       {"findings", found}};
   return written(report);
 }
 

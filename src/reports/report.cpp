@@ -14,6 +14,10 @@ constexpr ReportOf<Run> of_audits[] = {
     {"json", "for programs: everything, with the worst case of each kind", write_json},
     {"csv", "for spreadsheets: a row for each subject, shape and family", write_csv},
     {"html", page_about, write_html, require_page},
+    {"junit", "for continuous integration: a testcase for each subject, shape and family",
+     write_junit},
+    {"markdown", "for a pull request: the verdict, a table, and the worst findings folded up",
+     write_markdown},
 };
 
 constexpr ReportOf<CostRun> of_costs[] = {

@@ -57,6 +57,8 @@ std::string write_ladder_table(const LadderRun& run, const Look& look);
 std::string write_ladder_json(const LadderRun& run, const Look& look);
 std::string write_ladder_html(const LadderRun& run, const Look& look);
 std::string write_html(const Run& run, const Look& look);
+std::string write_junit(const Run& run, const Look& look);
+std::string write_markdown(const Run& run, const Look& look);
 
 /// A format that something made is written down in; whole, with the end of its last line.
 template <class Made>

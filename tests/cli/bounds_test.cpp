@@ -169,8 +169,8 @@ BOOST_AUTO_TEST_CASE(what_is_written_holds_on_the_same_run) {
   BOOST_TEST(rows.starts_with("# What rayaudit "));
   BOOST_TEST(contains(rows, " observed in 300 cases for each subject, shape and family, seed 3"));
   BOOST_TEST(contains(rows,
-                      "\n#   rayaudit audit '*/float' 'closest_approach/*' --report csv=/dev/null "
-                      "--cases 300 --seed 3 --write-bounds rows.txt\n"));
+                      "\n#   rayaudit audit '*/float' 'closest_approach/*' --cases 300 --seed 3 "
+                      "--report csv=/dev/null --write-bounds rows.txt\n"));
   BOOST_TEST(shell::line_count(rows) > 300);
   BOOST_TEST(!contains(rows, " proved\n"));
   const auto held = folder.run(audit + "--report csv=/dev/null --bounds rows.txt");
