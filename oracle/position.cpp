@@ -149,6 +149,10 @@ int sign_about_double_root(const Polynomial<Exact, 2>& f) {
   return (b * b - twice(twice(Exact(a * c)))).sign() == 0 ? a.sign() : 0;
 }
 
+/// The sign of F beyond both of its roots.
+int sign_outside(const Polynomial<Exact, 1>&) { return 0; }
+int sign_outside(const Polynomial<Exact, 2>& f) { return f.c[2].sign(); }
+
 constexpr Sensitivity at_double_root(int sign) {
   return {{std::numeric_limits<double>::infinity(), 0, 0, 0}, sign};
 }
@@ -159,6 +163,9 @@ Sensitivity exact_sensitivity(const Case& question, const Real& t) {
         const auto field = along_ray<Exact>(question.ray, shape).field;
         if (const int sign = sign_about_double_root(field); sign != 0) return at_double_root(sign);
         const Motion<Exact> sum = motion<Exact>(question.ray, shape, in_number<Exact>(t));
+        // Two roots so near each other that t does not tell them apart: between them there is
+        // nothing.
+        if (sum.by_t.sign() == 0) return at_double_root(sign_outside(field));
         return {value(Radical{.p = sum.by_inputs, .q = size(sum.by_t)}, 60), -sum.by_t.sign()};
       },
       question.shape);

@@ -1,13 +1,11 @@
 #include "audit/audit.hpp"
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <mutex>
 
+#include "audit/minimise.hpp"
+#include "audit/on_threads.hpp"
 #include "oracle/replay/replay.hpp"
 
 namespace rayaudit {
@@ -344,23 +342,6 @@ std::vector<Task> tasks_of(const Plan& plan, const std::vector<Group>& groups,
   return tasks;
 }
 
-/// Calls work(i) for each i below count, on as many threads as the plan allows.
-template <class Work>
-void on_threads(const Plan& plan, std::size_t count, const Work& work) {
-  // Unasked, TBB gives no more threads than there are processors.
-  std::optional<tbb::global_control> allowed;
-  if (plan.threads > 0) allowed.emplace(tbb::global_control::max_allowed_parallelism, plan.threads);
-  tbb::task_arena arena(plan.threads > 0 ? plan.threads : tbb::task_arena::automatic);
-  arena.execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, count, 1),
-        [&](const auto& range) {
-          for (std::size_t i = range.begin(); i < range.end(); ++i) work(i);
-        },
-        tbb::simple_partitioner());
-  });
-}
-
 }  // namespace
 
 Convention convention_of(const Plan& plan, const Subject& subject) {
@@ -389,7 +370,7 @@ std::vector<Audit> gathered(const Plan& plan, const std::function<void(Progress)
   for (const std::uint64_t chunk : chunks) cases += size_of_chunk(plan, chunk);
   Teller teller(cases * audits.size(), tell);
   const std::vector<Task> tasks = tasks_of(plan, groups, audits, chunks, shared, teller);
-  on_threads(plan, tasks.size(), [&](std::size_t i) { tasks[i](); });
+  on_threads(plan.threads, tasks.size(), [&](std::size_t i) { tasks[i](); });
   for (std::size_t i = 0; i < audits.size(); ++i) audits[i].tally = std::move(shared[i].tally);
   teller.end();
   return audits;
@@ -397,8 +378,11 @@ std::vector<Audit> gathered(const Plan& plan, const std::function<void(Progress)
 
 void conclude(const Plan& plan, std::vector<Audit>& audits) {
   std::erase_if(audits, [](const Audit& audit) { return audit.tally.cases == 0; });
-  if (plan.causes)
-    on_threads(plan, audits.size(), [&](std::size_t i) { look_into_worst(plan, audits[i]); });
+  if (!plan.causes) return;
+  std::vector<const Subject*> subjects;
+  for (const Audit& audit : audits) subjects.push_back(audit.subject);
+  in_turn(plan.threads, subjects, [&](std::size_t i) { look_into_worst(plan, audits[i]); });
+  minimise(plan, audits);
 }
 
 std::vector<Audit> run(const Plan& plan, const std::function<void(Progress)>& tell) {

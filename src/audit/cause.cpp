@@ -101,10 +101,7 @@ Diagnosis diagnosis(const Wrong& wrong, const Subject& subject, const replay::Re
   const Bench bench(wrong, subject, convention);
   if (replay != nullptr) return by_replay(wrong, bench, *replay, subject.format);
   if (wrong.settled.truth().invalid != oracle::Invalid::no) return {Cause::unknown};
-  if (const std::string_view granted = assumption_from_outside(wrong, subject, convention);
-      !granted.empty())
-    return {Cause::assumption, granted};
-  return {Cause::unknown};
+  return diagnosis_from_outside(wrong, subject, convention);
 }
 
 }  // namespace rayaudit

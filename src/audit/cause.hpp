@@ -26,7 +26,8 @@ std::string_view name(Cause cause);
 /// A cause, and what the experiment that showed it has to say.
 struct Diagnosis {
   Cause cause = Cause::unknown;
-  /// Of a formula, the operation without a value; of an assumption, what is taken for granted.
+  /// Of a formula, the operation without a value, or that it shows in small whole numbers; of an
+  /// assumption, what is taken for granted.
   std::string_view about = {};
   /// Of a flip, the comparison that was turned.
   std::optional<replay::Step> turned = {};

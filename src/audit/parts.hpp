@@ -63,10 +63,15 @@ auto parts(T& of) {
   auto& [cause, about, turned] = of;
   return std::tie(cause, about, turned);
 }
+template <Plain<Minimal> T>
+auto parts(T& of) {
+  auto& [question, answer, judgement, diagnosis, margin] = of;
+  return std::tie(question, answer, judgement, diagnosis, margin);
+}
 template <Plain<Worst> T>
 auto parts(T& of) {
-  auto& [severity, place, question, answer, judgement, diagnosis, repeats] = of;
-  return std::tie(severity, place, question, answer, judgement, diagnosis, repeats);
+  auto& [severity, place, question, answer, judgement, diagnosis, repeats, minimal] = of;
+  return std::tie(severity, place, question, answer, judgement, diagnosis, repeats, minimal);
 }
 template <Plain<CauseCount::Turned> T>
 auto parts(T& of) {

@@ -8,6 +8,16 @@
 
 namespace rayaudit {
 
+/// A case of the same failure as another, of which no simpler one is a single step away: verdict,
+/// claim and cause are the same.
+struct Minimal {
+  Case question = {};
+  Answer answer = {};
+  Judgement judgement = {};
+  Diagnosis diagnosis = {};
+  double margin = 0;  ///< in u of the subject's format
+};
+
 /// The worst case of a kind, kept whole.
 struct Worst {
   double severity = 0;
@@ -18,7 +28,19 @@ struct Worst {
   Diagnosis diagnosis = {};  ///< of wrong answers, found at the end of a run
   /// Of a subject elsewhere: was the answer as wrong when the case was asked again, alone?
   bool repeats = true;
+  /// Of the example of a finding, at the end of a run that looks for causes.
+  std::optional<Minimal> minimal = {};
 };
+
+/// The case that is told of it first: the minimal one, where there is one.
+inline Worst told_first(Worst worst) {
+  if (!worst.minimal) return worst;
+  const Minimal& minimal = *worst.minimal;
+  worst.question = minimal.question, worst.answer = minimal.answer;
+  worst.judgement = minimal.judgement, worst.diagnosis = minimal.diagnosis;
+  worst.severity = minimal.margin;
+  return worst;
+}
 
 inline bool is_worse(const Worst& a, const Worst& b) {
   return a.severity != b.severity ? a.severity > b.severity : a.place < b.place;

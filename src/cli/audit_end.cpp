@@ -8,6 +8,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/option.hpp"
 #include "cli/output.hpp"
+#include "cli/saved_cases.hpp"
 #include "cli/whole_file.hpp"
 #include "geometry/error.hpp"
 #include "reports/explain_line.hpp"
@@ -134,6 +135,12 @@ void add_audit_end(CLI::App& command, AuditEnd& end) {
              [&end](const std::string& text) { end.fail_on = read_fail_on(text); });
   command.add_flag("--all-findings", end.all_findings,
                    "in the table, of broken bounds and of changes, not only the worst");
+  add_option(command, "--save-cases", "FILE",
+             "add the minimal case of each finding, with truth and reason; see rayaudit check",
+             [&end](const std::string& file) {
+               if (file.empty()) throw Error("--save-cases: expected a file");
+               end.saved_cases = file;
+             });
   CLI::Option* written = add_option(command, "--write-bounds", "FILE",
                                     "write what is observed as rows of bounds; - is stdout",
                                     [&end](const std::string& file) {
@@ -158,9 +165,9 @@ void add_audit_end(CLI::App& command, AuditEnd& end) {
 }
 
 const std::vector<std::string>& audit_end_options() {
-  static const std::vector<std::string> names = {"--report",       "--fail-on",  "--all-findings",
-                                                 "--write-bounds", "--headroom", "--baseline",
-                                                 "--map"};
+  static const std::vector<std::string> names = {"--report",     "--fail-on",      "--all-findings",
+                                                 "--save-cases", "--write-bounds", "--headroom",
+                                                 "--baseline",   "--map"};
   return names;
 }
 
@@ -171,11 +178,14 @@ ReadyEnd ready(const AuditEnd& end, const Plan& plan) {
   files.reserve(orders.size() + 1);
   for (const ReportOrder& order : orders) files.push_back(order.file);
   if (observed_to) files.push_back(*observed_to);
+  if (!end.saved_cases.empty()) files.push_back(end.saved_cases);
   require_places(files);
+  if (!end.saved_cases.empty()) require_case_file(end.saved_cases);
   return {end, orders, observed_to, baseline_of(end, plan)};
 }
 
 int told(const ReadyEnd& end, const Run& run) {
+  if (!end.asked.saved_cases.empty()) save_cases(end.asked.saved_cases, run.audits);
   // Standard output comes last: where its reader has gone, the files are there.
   for (const bool to_stdout : {false, true}) {
     deliver(end.orders, reports(), run, {.everything = end.asked.all_findings}, to_stdout);

@@ -20,6 +20,7 @@ struct AuditEnd {
   std::vector<std::string> reports, renamed;
   FailOn fail_on;
   std::string written_bounds;  ///< the file for what is observed, or empty
+  std::string saved_cases;     ///< the file that minimal cases are added to, or empty
   std::string baseline;        ///< the json report that the run is held against, or empty
   std::string command;         ///< all of this as it was typed
   int headroom = 1;

@@ -13,6 +13,7 @@ using Command = std::function<int()>;
 
 /// Each adds a command to the program; where the command line asks for it, `asked` becomes it.
 void add_audit_command(CLI::App& program, Command& asked);
+void add_check_command(CLI::App& program, Command& asked);
 void add_cost_command(CLI::App& program, Command& asked);
 void add_explain_command(CLI::App& program, Command& asked);
 void add_ladder_command(CLI::App& program, Command& asked);

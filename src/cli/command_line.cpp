@@ -87,6 +87,7 @@ Command read_command_line(int argc, const char* const* argv) {
   Command asked;
   describe(program);
   add_audit_command(program, asked);
+  add_check_command(program, asked);
   add_cost_command(program, asked);
   add_ladder_command(program, asked);
   add_explain_command(program, asked);

@@ -19,6 +19,7 @@ void require_shard_alone(const AuditEnd& end) {
   refuse(fail_on.verdicts != FailOn{}.verdicts || fail_on.most_ulps, "--fail-on");
   refuse(!end.written_bounds.empty(), "--write-bounds");
   refuse(!end.baseline.empty(), "--baseline");
+  refuse(!end.saved_cases.empty(), "--save-cases");
   for (const std::string& report : end.reports)
     refuse(report != "shard" && !report.starts_with("shard="), "--report " + report);
   if (end.reports.size() != 1)

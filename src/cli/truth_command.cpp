@@ -4,7 +4,7 @@
 #include "cli/lines.hpp"
 #include "cli/option.hpp"
 #include "cli/output.hpp"
-#include "oracle/truth.hpp"
+#include "cli/truth_words.hpp"
 
 namespace rayaudit {
 namespace {
@@ -14,56 +14,18 @@ struct TruthOptions {
   Format format = double_format;
 };
 
-using oracle::Crossing;
-using oracle::Kind;
-using oracle::Truth;
-
-/// Writes the t of a crossing, or where its stretch ends, correctly rounded.
-using WriteT = void (*)(std::string& line, const Case& question, const Crossing& crossing,
-                        bool last);
-
-template <class N>
-void write_t(std::string& line, const Case& question, const Crossing& crossing, bool last) {
-  line += ' ';
-  write(line, real(last ? oracle::rounded_last<N>(question, crossing)
-                        : oracle::rounded<N>(question, crossing)));
-}
-
-WriteT write_t_in(const Format& format) {
-  if (format == float_format) return write_t<float>;
-  return format == double_format ? write_t<double> : write_t<long double>;
-}
-
-void write_truth(std::string& line, const Case& question, const Truth& truth, WriteT write_t) {
-  if (truth.invalid != oracle::Invalid::no) {
-    (line += " invalid ") += name(truth.invalid);
-    return;
-  }
-  for (const Crossing& crossing : truth.crossings()) {
-    if (crossing.kind == Kind::proper) {
-      line += " hit";
-    } else {
-      (line += " touch ") += name(crossing.kind);
-    }
-    write_t(line, question, crossing, false);
-    if (crossing.kind == Kind::within) write_t(line, question, crossing, true);
-  }
-  if (truth.hit() == nullptr) line += " miss";
-}
-
 std::string truths_of(std::span<const Line> lines, const Format& format) {
   std::vector<Case> cases;
   for (const Line& line : lines)
     if (line.read) cases.push_back(line.read->question);
-  std::vector<Truth> truths(cases.size());
+  std::vector<oracle::Truth> truths(cases.size());
   oracle::truth(cases, truths, oracle::bits_for(format));
-  const WriteT write_t = write_t_in(format);
   std::string text;
   std::size_t place = 0;
   for (const Line& line : lines) {
     if (line.read) {
       text += line.read->words;
-      write_truth(text, cases[place], truths[place], write_t);
+      write_truth(text, cases[place], truths[place], format);
       ++place;
       const std::string_view comment = line.text.substr(comment_start(line.text));
       if (!comment.empty()) (text += ' ') += comment;

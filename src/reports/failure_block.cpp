@@ -5,7 +5,8 @@
 
 namespace rayaudit {
 
-std::string failure_block(const Worst& worst, const Subject& subject, const Convention& stated) {
+std::string failure_block(const Worst& of, const Subject& subject, const Convention& stated) {
+  const Worst worst = told_first(of);
   const Verdict verdict = worst.judgement.verdict;
   const bool has_margin = is_wrong(verdict) && verdict != Verdict::invalid_mishandled;
   return failure_text({.question = worst.question,

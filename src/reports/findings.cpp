@@ -161,6 +161,11 @@ std::string limits(const Finding& worst) {
   return text;
 }
 
+/// What is told of the case that is shown.
+std::string minimal(const Minimal& of) {
+  return fmt::format("minimal: {}, margin {} u", told(of.diagnosis), magnitude(of.margin));
+}
+
 std::string paragraph(const Theme& theme, std::size_t rank, const Convention& convention,
                       const Ink& ink) {
   const Finding& worst = theme.front();
@@ -174,7 +179,9 @@ std::string paragraph(const Theme& theme, std::size_t rank, const Convention& co
       head + wrapped(places(theme) + ": " + families(theme), 5) + wrapped(causes(theme), 5);
   if (const std::string limits_there = limits(worst); !limits_there.empty())
     text += wrapped(limits_there, 5);
-  return text + "     " + explain_line(worst.example, *worst.audit->subject, convention) + '\n';
+  if (worst.example.minimal) text += wrapped(minimal(*worst.example.minimal), 5);
+  return text + "     " +
+         explain_line(told_first(worst.example), *worst.audit->subject, convention) + '\n';
 }
 
 }  // namespace
@@ -185,8 +192,9 @@ std::string write_findings(const Run& run, const Ink& ink, bool all) {
   std::string text =
       ink.heading("Findings") +
       ", worst first, by how far from any other truth they occur: what a routine does, on which "
-      "shapes, how much of\nwhich family; why, by experiment; what bounds hold there; and the case "
-      "with the largest margin to look into\n";
+      "shapes, how much of\nwhich family; why, by experiment; what bounds hold there; and a "
+      "minimal "
+      "case to look into\n";
   std::size_t shown = 0;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (!all && i >= themes_shown && !is_sentinel(found[i].front().claim)) continue;

@@ -195,6 +195,11 @@ Json families(const Finding& finding) {
   return told;
 }
 
+/// The minimal case of an example; null where none was looked for.
+Json minimal(const Worst& example) {
+  return example.minimal ? Json(answered_line(told_first(example))) : Json(nullptr);
+}
+
 Json told(const Finding& finding) {
   return {{"routine", finding.routine},
           {"shape", shape_names[finding.shape]},
@@ -209,7 +214,8 @@ Json told(const Finding& finding) {
           {"margin", number(finding.margin)},
           {"subject", finding.audit->subject->name},
           {"family", finding.audit->family->id},
-          {"cause", told(finding.example.diagnosis)},
+          {"cause", told(told_first(finding.example).diagnosis)},
+          {"minimal", minimal(finding.example)},
           {"example", answered_line(finding.example)}};
 }
 

@@ -190,8 +190,11 @@ Shard read_shard(std::string_view bytes, const std::string& name, const std::str
     const Json& common = from.at("settings");
     if (const std::string made_by = common.at("version"); made_by != version)
       throw Error(fmt::format("it was made by rayaudit {}, and this is {}", made_by, version));
-    Shard shard = {name, from.at("command"), {}, read_plan(common, subject_named),
-                   {},   common.dump()};
+    Shard shard;
+    shard.name = name;
+    shard.command = from.at("command");
+    shard.plan = read_plan(common, subject_named);
+    shard.settings = common.dump();
     shard.plan.shard = from.at("shard");
     read(from.at("environment"), shard.environment);
     exactly::read_list(from.at("tallies"), shard.tallies);

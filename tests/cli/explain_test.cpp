@@ -169,3 +169,113 @@ BOOST_AUTO_TEST_CASE(a_line_of_a_file_is_explained_by_its_place) {
   BOOST_TEST(folder.run("rayaudit explain 'a b.txt:2'") ==
              run("rayaudit explain disk 0 0 0 0 1 0 1 ray 3 2 0 0 -1 0"));
 }
+
+namespace {
+
+/// A stub of a user's function that answers one t, or misses, and a main that C needs.
+std::string stub(const std::string& type, const std::string& answer) {
+  return "bool intersect_sphere(const " + type + " o[3], const " + type + " d[3], " + type +
+         " a, " + type + " b, const " + type + " c[3], " + type + " r, " + type +
+         "* t) { (void)o, (void)d, (void)a, (void)b, (void)c, (void)r, (void)t; " + answer + " }\n";
+}
+
+/// Compiles what is pasted, and runs it.
+int ended_as_c(const std::string& options, const std::string& type, const std::string& answer) {
+  const Folder folder;
+  folder.write("stub.c", stub(type, answer));
+  return folder
+      .run("rayaudit explain --as c " + options +
+           " > pasted.c && name=$(sed -n 's/^static void \\(.*\\)(void) {/\\1/p' pasted.c) && "
+           "(cat pasted.c stub.c; echo \"int main(void) { $name(); return 0; }\") > whole.c && "
+           "cc -std=c99 -Wall -Wextra -Werror whole.c -o whole -lm && ./whole")
+      .code;
+}
+
+const std::string grazing = "sphere 0 0 0 1 ray 0 0.5 -3 0 0 1";
+const std::string tangent = "sphere 0 0 0 1 ray 0 1 -3 0 0 1";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_test_to_paste_holds_the_case_in_hexadecimal_numbers) {
+  const std::string wanted = R"(#include <gtest/gtest.h>
+#include <cmath>
+
+/* Yours: true and t, in units of the direction, or false. */
+bool intersect_sphere(const float origin[3], const float direction[3], float t_min, float t_max, const float centre[3], float radius, float* t);
+
+/* sphere 0x0p+0 0x0p+0 0x0p+0 0x1p+0 ray 0x0p+0 0x1p-1 -0x1.8p+1 0x0p+0 0x0p+0 0x1p+0 */
+/* half up */
+/* The exact truth: hit at t = 2.1339745962155613532.... */
+TEST(rayaudit, sphere_eb90f071) {
+  const float origin[3] = {0x0p+0f, 0x1p-1f, -0x1.8p+1f};
+  const float direction[3] = {0x0p+0f, 0x0p+0f, 0x1p+0f};
+  const float t_min = 0x0p+0f;
+  const float t_max = INFINITY;
+  const float centre[3] = {0x0p+0f, 0x0p+0f, 0x0p+0f};
+  const float radius = 0x1p+0f;
+  float t = 0;
+  const bool hit = intersect_sphere(origin, direction, t_min, t_max, centre, radius, &t);  /* yours */
+  EXPECT_TRUE((hit));
+  EXPECT_TRUE((std::fabs(t - 0x1.112614p+1f) <= 0x1.6p+3f * 0x1p-22f));
+}
+)";
+  BOOST_TEST(run("rayaudit explain --as gtest --format float '" + grazing + " # half up'") ==
+             shell::printed(wanted));
+}
+
+BOOST_AUTO_TEST_CASE(a_pasted_test_in_c_holds_what_is_right_and_no_more) {
+  for (const std::string type : {"float", "double", "long double"}) {
+    const std::string named = type == "long double" ? "long_double" : type;
+    const std::string options = "--format " + named + " '" + grazing + "'";
+    const std::string exact = "*t = (" + type + ")2.133974596215561353236276829247063816529L; ";
+    BOOST_TEST(ended_as_c(options, type, exact + "return true;") == 0, type);
+    BOOST_TEST(ended_as_c(options, type, exact + "*t *= 1.00001; return true;") > 2, type);
+    BOOST_TEST(ended_as_c(options, type, "return false;") > 2, type);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_pasted_test_of_a_touch_takes_either) {
+  const std::string open = "'" + tangent + "'";
+  BOOST_TEST(ended_as_c(open, "double", "return false;") == 0);
+  BOOST_TEST(ended_as_c(open, "double", "*t = 3; return true;") == 0);
+  BOOST_TEST(ended_as_c(open, "double", "*t = 2; return true;") > 2);
+  const std::string hit = "--convention tangent=hit " + open;
+  BOOST_TEST(ended_as_c(hit, "double", "return false;") > 2);
+  BOOST_TEST(ended_as_c(hit, "double", "*t = 3; return true;") == 0);
+  const std::string miss = "--convention tangent=miss " + open;
+  BOOST_TEST(ended_as_c(miss, "double", "return false;") == 0);
+  BOOST_TEST(ended_as_c(miss, "double", "*t = 3; return true;") > 2);
+}
+
+BOOST_AUTO_TEST_CASE(a_pasted_test_of_boost_runs) {
+  const Folder folder;
+  folder.write("stub.cpp", stub("double", "*t = 3; return true;"));
+  const std::string build =
+      "(echo '#define BOOST_TEST_MODULE pasted'; rayaudit explain --as boost '" + tangent +
+      "'; cat stub.cpp) > all.cpp && c++ -std=c++17 -DBOOST_TEST_DYN_LINK all.cpp -o all "
+      "-lboost_unit_test_framework && ./all";
+  BOOST_TEST(folder.run(build).code == 0);
+  folder.write("stub.cpp", stub("double", "*t = 2; return true;"));
+  BOOST_TEST(folder.run(build).code == 201);
+}
+
+BOOST_AUTO_TEST_CASE(pasted_tests_of_other_frameworks_compile_where_they_are_there) {
+  for (const auto& [framework, header] :
+       {std::pair("gtest", "gtest/gtest.h"), std::pair("catch2", "catch2/catch.hpp")}) {
+    std::string line = "echo '#include <" + std::string(header) +
+                       ">' | c++ -std=c++17 -x c++ -E - > /dev/null || exit 0\n(";
+    for (const std::string shape :
+         {"disk 0 0 0 0 1 0 1 ray -3 0 0 1 0 0", "cylinder 0 0 0 0 1 0 1 ray -3 0.5 0 1 0 0",
+          "cone 0 0 0 0 1 0 1 ray -3 0.5 0 1 0 0", "cone 0 0 0 0 0 0 1 ray nan 0.5 0 1 0 inf"})
+      line += "rayaudit explain --as " + std::string(framework) + " '" + shape + "'; ";
+    line += ") | c++ -std=c++17 -Wall -Wextra -Werror -x c++ -fsyntax-only -";
+    const auto ended = run(line);
+    BOOST_TEST(ended.code == 0, ended);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_test_to_paste_needs_numbers_of_its_format) {
+  BOOST_TEST(run("rayaudit explain --as c --format float sphere 0 0 0 0.1 ray 0 0 -3 0 0 1") ==
+             shell::refused(2, "--as: the case has numbers that are none of float"));
+  BOOST_TEST(run("rayaudit explain --as junit " + grazing).code == 2);
+}

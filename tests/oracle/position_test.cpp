@@ -247,6 +247,15 @@ BOOST_AUTO_TEST_CASE(the_forced_error_is_that_of_finite_differences) {
   BOOST_TEST(close > 0.998 * measured);
 }
 
+BOOST_AUTO_TEST_CASE(roots_that_t_does_not_tell_apart_are_as_sensitive_as_a_double_one) {
+  // The roots are 1 - 2^-300 and 1 + 2^-300, to 100 bits both of them 1.
+  const Case question = {{{1, 0, 0}, {-1, 0, 0}}, Sphere<double>{{0, 0, 0}, 0x1p-300}};
+  const oracle::Sensitivity found =
+      oracle::sensitivity(question, {Kind::proper, real(1.0), real(1.0)});
+  BOOST_TEST(is_infinite(found.forced));
+  BOOST_TEST(found.sign_before == 1);
+}
+
 BOOST_AUTO_TEST_CASE(the_projection_is_known_to_the_bits_asked_for) {
   each_case([](const Case& question) {
     const Vec3<Dyadic> o = in<Dyadic>(question.ray.origin), d = in<Dyadic>(question.ray.direction);

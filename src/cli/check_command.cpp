@@ -1,0 +1,187 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "audit/judge.hpp"
+#include "cli/command.hpp"
+#include "cli/convention_option.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/lines.hpp"
+#include "cli/option.hpp"
+#include "cli/output.hpp"
+#include "cli/truth_words.hpp"
+#include "reports/explain_line.hpp"
+#include "reports/figures.hpp"
+
+namespace rayaudit {
+namespace {
+
+using figures::grouped;
+
+struct CheckOptions {
+  std::vector<std::string> files, subjects;
+  Convention convention;
+};
+
+/// A case of a file.
+struct Kept {
+  std::string place;  ///< `file:line`
+  Case question;
+  std::string why;
+};
+
+/// What stands on the line as the truth of its case must be one.
+void require_truth(const std::string& place, const CaseLine& line) {
+  if (!line.answer) return;
+  const oracle::Truth truth = oracle::truth(line.question);
+  Settled settled(line.question, truth);
+  if (!is_wrong(judge(settled, *line.answer, double_format).verdict)) return;
+  std::string stands, is;
+  write(stands, *line.answer);
+  write_truth(is, line.question, truth, double_format);
+  throw Error(fmt::format("{}: `{}` is not the truth of this case:{}; `rayaudit truth` writes it",
+                          place, stands, is));
+}
+
+std::vector<Kept> kept_in(const std::string& path) {
+  LineFile file(path);
+  std::vector<Kept> kept;
+  work_through(
+      file, Answers::welcome,
+      [&](std::span<const Line> lines) {
+        std::vector<Kept> here;
+        for (const auto& [text, number, read] : lines) {
+          if (!read) continue;
+          const std::string place = file.name() + ":" + std::to_string(number);
+          require_truth(place, *read);
+          here.push_back({place, read->question, std::string(read->why)});
+        }
+        return here;
+      },
+      [&](std::vector<Kept> here) {
+        std::move(here.begin(), here.end(), std::back_inserter(kept));
+      });
+  return kept;
+}
+
+/// The case in the numbers that reach the subject, as its convention has it.
+Case asked(const Case& question, const Subject& subject, const Convention& convention) {
+  Case made = question;
+  if (subject.drawn_in() == float_format) {
+    const auto round = [](double& x) { x = static_cast<double>(static_cast<float>(x)); };
+    each_number(made, round);
+    round(made.ray.t_min), round(made.ray.t_max);
+  }
+  return posed(made, convention, subject.drawn_in());
+}
+
+/// A subject on all cases that it answers.
+class Checked {
+ public:
+  Checked(const std::vector<Kept>& all, const Subject& subject, const Convention& stated)
+      : subject_(subject), stated_(stated), convention_(joined(stated, subject.convention)) {
+    for (const Kept& each : all)
+      if (subject.answers(each.question.shape.index())) kept_.push_back(&each);
+    for (const Kept* each : kept_) cases_.push_back(asked(each->question, subject, convention_));
+    answers_.resize(cases_.size());
+    answer_mixed(subject, cases_, answers_);
+    for (std::size_t i = 0; i < cases_.size(); ++i) judge_one(i);
+  }
+
+  std::size_t count() const { return cases_.size(); }
+  std::size_t wrong() const { return wrong_; }
+  std::string told() const {
+    if (cases_.empty()) return subject_.name + ": answers no case of these\n";
+    std::string text = fmt::format("{}: {} of {} cases wrong", subject_.name, grouped(wrong_),
+                                   grouped(cases_.size()));
+    if (touches_ > 0) text += fmt::format(", {} touched", grouped(touches_));
+    if (rounded_ > 0)
+      text += fmt::format(", {} rounded to {} or posed as it is asked", grouped(rounded_),
+                          subject_.drawn_in().name);
+    if (unasked_ > 0) text += fmt::format(", {} not asked", grouped(unasked_));
+    return text + '\n' + each_;
+  }
+
+ private:
+  void judge_one(std::size_t i) {
+    rounded_ += case_line(cases_[i]) != case_line(kept_[i]->question);
+    if (answers_[i].form == Answer::Form::unasked) {
+      ++unasked_;
+      return;
+    }
+    const Judgement judgement = judge(cases_[i], answers_[i], subject_.format, convention_);
+    touches_ += judgement.verdict == Verdict::touch;
+    if (!is_wrong(judgement.verdict)) return;
+    ++wrong_;
+    Worst worst;
+    worst.question = cases_[i], worst.answer = answers_[i];
+    const std::string claim =
+        judgement.claim == Claim::none ? "" : " (" + std::string(name(judgement.claim)) + ")";
+    each_ += fmt::format("  {}: {}{}{}\n    {}\n", kept_[i]->place, name(judgement.verdict), claim,
+                         kept_[i]->why.empty() ? "" : " # " + kept_[i]->why,
+                         explain_line(worst, subject_, stated_));
+  }
+
+  const Subject& subject_;
+  const Convention& stated_;
+  const Convention convention_;
+  std::vector<const Kept*> kept_;
+  std::vector<Case> cases_;
+  std::vector<Answer> answers_;
+  std::size_t wrong_ = 0, touches_ = 0, rounded_ = 0, unasked_ = 0;
+  std::string each_;  ///< the wrong ones
+};
+
+int check(const CheckOptions& options) {
+  if (options.subjects.empty())
+    throw Error("check: name what to check, as in --subject 'textbook/*'");
+  const std::vector<const Subject*> subjects = selected_subjects(options.subjects);
+  std::vector<Kept> kept;
+  for (const std::string& file : options.files) {
+    std::vector<Kept> here = kept_in(file);
+    std::move(here.begin(), here.end(), std::back_inserter(kept));
+  }
+  std::string text;
+  std::size_t count = 0, wrong = 0;
+  for (const Subject* subject : subjects) {
+    const Checked checked(kept, *subject, options.convention);
+    text += checked.told();
+    count += checked.count(), wrong += checked.wrong();
+  }
+  if (count == 0)
+    throw NothingAudited(
+        kept.empty() ? fmt::format("{} has no case to check", fmt::join(options.files, ", "))
+                     : "nothing was checked: no chosen subject answers the shapes "
+                       "of these cases");
+  print(text);
+  return wrong == 0 ? all_held : found;
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& program, Command& asked) {
+  const auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = program.add_subcommand(
+      "check", "Put the cases of files to subjects again: exit 1 where one is answered wrongly");
+  command->add_option("FILE", options->files, "case lines, as audit --save-cases writes them")
+      ->type_name("")
+      ->required();
+  add_list(*command, "--subject", "SUBJECT,...", "names or globs, as 'textbook/*'",
+           options->subjects)
+      ->delimiter(',');
+  add_option(*command, "--convention", "KIND=STANCE,...",
+             "what the subjects declare, before what each declares itself",
+             [=](const std::string& text) { options->convention = read_convention(text); });
+  command->footer(
+      "A case is asked in the subject's format and as its convention has it, and held against the\n"
+      "exact truth of that. A truth that stands on a line must be so: where it is not, the file "
+      "is\n"
+      "at fault (exit code 2) and nobody is asked.\n\n"
+      "Examples:\n"
+      "  rayaudit audit textbook/float --save-cases found.txt\n"
+      "  rayaudit check found.txt --subject textbook/float\n"
+      "  rayaudit check data/cases/*.txt --subject 'certified/*'\n");
+  command->callback([=, &asked] { asked = [options] { return check(*options); }; });
+}
+
+}  // namespace rayaudit
