@@ -163,7 +163,8 @@ std::string limits(const Finding& worst) {
 
 /// What is told of the case that is shown.
 std::string minimal(const Minimal& of) {
-  return fmt::format("minimal: {}, margin {} u", told(of.diagnosis), magnitude(of.margin));
+  const std::string text = "minimal: " + told(of.diagnosis);
+  return of.margin > 0 ? text + fmt::format(", margin {} u", magnitude(of.margin)) : text;
 }
 
 std::string paragraph(const Theme& theme, std::size_t rank, const Convention& convention,
