@@ -138,7 +138,9 @@ struct Part {
     return std::ldexp(quick ? *quick : settled.reach(), audit.subject->format.precision);
   }
 
-  bool is_suspect(const Judgement& judgement) const {
+  /// A crash costs a process each time it is looked into: only the worst are.
+  bool is_suspect(const Answer& answer, const Judgement& judgement) const {
+    if (!answer.is_given()) return false;
     return is_wrong(judgement.verdict) || (audit.most_ulps && judgement.ulps > *audit.most_ulps);
   }
 
@@ -178,7 +180,7 @@ void judge_answers(const Plan& plan, std::span<Settled> settled, std::span<const
         wrong || i < close ? part.margin(plan, settled[i]) : Judgement::unmeasured;
     if (i < close) part.tally.curve.add(margin, wrong);
     part.tally.add(settled[i], answers[i], judgement, first + i, margin);
-    if (plan.causes && part.is_suspect(judgement))
+    if (plan.causes && part.is_suspect(answers[i], judgement))
       part.suspects.push_back({first + i, answers[i], judgement});
   }
 }
@@ -265,17 +267,25 @@ void run_elsewhere(const Plan& plan, const Group& group, const std::vector<Audit
   });
 }
 
+/// Has a case that is asked again, alone, the same verdict? Only a subject elsewhere may differ.
+bool shows_again(const Plan& plan, const Subject& subject, const Worst& worst) {
+  if (!subject.is_elsewhere) return true;
+  const Answer again = answer_one(subject, worst.question);
+  if (again.form == Answer::Form::unasked) return true;  // for all that is known
+  const Judgement judgement =
+      judge(worst.question, again, subject.format, convention_of(plan, subject));
+  return judgement.verdict == worst.judgement.verdict;
+}
+
 /// Finds the cause of every worst case that reports tell of: of wrong answers, and where a subject
 /// is held to bounds also of its largest errors.
 void look_into_worst(const Plan& plan, Audit& audit) {
-  const Subject& subject = *audit.subject;
   const auto look_into = [&](Worst& worst) {
-    worst.diagnosis = diagnosis_of(plan, audit, worst.question, worst.answer, worst.judgement);
-    if (!subject.is_elsewhere) return;
-    const Answer again = answer_one(subject, worst.question);
-    const Judgement judgement =
-        judge(worst.question, again, subject.format, convention_of(plan, subject));
-    worst.repeats = judgement.verdict == worst.judgement.verdict;
+    worst.repeats = shows_again(plan, *audit.subject, worst);
+    if (!worst.repeats)
+      worst.diagnosis = {Cause::unknown};  // experiments would tell of their own answers only
+    else
+      worst.diagnosis = diagnosis_of(plan, audit, worst.question, worst.answer, worst.judgement);
   };
   for (Outcome& outcome : audit.tally.outcomes)
     if (is_wrong(outcome.verdict)) look_into(*outcome.worst);

@@ -101,6 +101,8 @@ Diagnosis diagnosis(const Wrong& wrong, const Subject& subject, const replay::Re
   const Bench bench(wrong, subject, convention);
   if (replay != nullptr) return by_replay(wrong, bench, *replay, subject.format);
   if (wrong.settled.truth().invalid != oracle::Invalid::no) return {Cause::unknown};
+  // What hangs would do so again and again.
+  if (wrong.answer.form == Answer::Form::timed_out) return {Cause::unknown};
   return diagnosis_from_outside(wrong, subject, convention);
 }
 

@@ -27,7 +27,8 @@ Plan default_plan() {
 }
 
 struct AuditOptions {
-  std::vector<std::string> subjects, shapes, families, bounds;
+  SubjectChoice subjects;
+  std::vector<std::string> shapes, families, bounds;
   Plan plan = default_plan();
   bool is_shard = false;
   AuditEnd end;
@@ -45,15 +46,15 @@ void require_difficulty(const std::vector<Audit>& audits, int difficulty) {
   if (!any) throw Error("--difficulty: no family chosen has a difficulty");
 }
 
-Plan plan_of(const AuditOptions& options) {
+Plan plan_of(const AuditOptions& options, const Subjects& subjects) {
   Plan plan = options.plan;
-  plan.subjects = selected_subjects(options.subjects);
+  plan.subjects = subjects.selected(options.subjects);
   for (const std::size_t i :
        selected("family", options.families, names_of(families(), &Family::id)))
     plan.families.push_back(&families()[i]);
   plan.shapes = selected("shape", options.shapes, shape_names);
   for (const std::string& file : options.bounds)
-    for (const Bound& bound : read_bounds_file(file)) plan.bounds.push_back(bound);
+    for (const Bound& bound : read_bounds_file(file, subjects.all())) plan.bounds.push_back(bound);
   const std::vector<Audit> audits = planned(plan);
   if (audits.empty())
     throw NothingAudited(
@@ -78,11 +79,44 @@ std::vector<Audit> run_with_progress(const Plan& plan) {
   return run(plan, [&](const Progress& progress) { bar.tell(progress); });
 }
 
+/// Whoever cannot answer at all is told before the run.
+void require_answers(const std::vector<Audit>& audits) {
+  for (const Audit& audit : audits)
+    if (audit.subject->is_elsewhere) audit.subject->answer[audit.shape]({}, {});
+}
+
+/// Subjects that crashed or hung so often on a shape that whole families were not put to them.
+void tell_unasked(const Plan& plan, const std::vector<Audit>& audits) {
+  const auto is_there = [&](const Audit& wanted) {
+    return std::any_of(audits.begin(), audits.end(), [&](const Audit& audit) {
+      return audit.subject == wanted.subject && audit.family == wanted.family &&
+             audit.shape == wanted.shape;
+    });
+  };
+  const std::vector<Audit> all = planned(plan);
+  for (auto first = all.begin(); first != all.end();) {
+    const auto last = std::find_if(first, all.end(), [&](const Audit& audit) {
+      return audit.subject != first->subject || audit.shape != first->shape;
+    });
+    std::vector<std::string_view> families;
+    for (auto audit = first; audit != last; ++audit)
+      if (!is_there(*audit)) families.push_back(audit->family->id);
+    if (!families.empty())
+      complain(fmt::format("{} was not asked about {}, family {}: it crashed or hung too often",
+                           first->subject->name, shape_names[first->shape],
+                           fmt::join(families, ", ")));
+    first = last;
+  }
+}
+
 int audit(const AuditOptions& options) {
-  const Plan plan = plan_of(options);
+  const Subjects subjects(options.subjects);
+  const Plan plan = plan_of(options, subjects);
   if (options.is_shard) return run_shard(plan, options.end, options.command);
   const ReadyEnd end = ready(options.end, plan);
+  require_answers(planned(plan));
   const std::vector<Audit> audits = run_with_progress(plan);
+  tell_unasked(plan, audits);
   return told(end, {RAYAUDIT_VERSION, plan, audits, environment(), options.command});
 }
 
@@ -115,7 +149,8 @@ void add_numbers(CLI::App& command, const std::shared_ptr<AuditOptions>& options
 
 void add_judgement(CLI::App& command, const std::shared_ptr<AuditOptions>& options) {
   add_option(command, "--convention", "KIND=STANCE,...",
-             "what the subjects declare of touches, as tangent=hit,rim=miss",
+             "what the subjects declare, as tangent=hit,rim=miss; also inside=hit|miss|start, "
+             "direction=unit, ray=line, t_min=T, t_max=T",
              [=](const std::string& text) { options->plan.convention = read_convention(text); });
   command.add_flag("--thorough", options->plan.thorough,
                    "margins, proofs and causes of every case, not of a share");
@@ -155,7 +190,9 @@ void add_audit_command(CLI::App& program, Command& asked) {
       "  rayaudit audit stable_quadratic/double --fail-on false_hit,false_miss,max_ulp=100\n"
       "  rayaudit audit 'textbook/*' --cases 1e6 --headroom 2 --write-bounds mine.txt\n"
       "  rayaudit audit --bounds mine.txt --seed 2\n"
-      "  rayaudit audit '*/float' --baseline audit.json\n");
+      "  rayaudit audit '*/float' --baseline audit.json\n"
+      "  rayaudit audit --plugin ./libmine.so --cases 1e5\n"
+      "  rayaudit audit --program 'python3 mine.py' --shape sphere\n");
   command->callback([=, &asked] {
     options->end.command = command_text(*command);
     options->command = command_text_of_run(*command);

@@ -21,10 +21,10 @@ std::string text_of(LineFile& file) {
   return text;
 }
 
-/// Every audit there is.
-std::vector<Audit> every_audit() {
+/// Every audit there is of these subjects.
+std::vector<Audit> every_audit(const std::vector<const Subject*>& subjects) {
   Plan plan;
-  for (const Subject& subject : all_subjects()) plan.subjects.push_back(&subject);
+  plan.subjects = subjects;
   for (const Family& family : families()) plan.families.push_back(&family);
   for (std::size_t shape = 0; shape < shape_count; ++shape) plan.shapes.push_back(shape);
   return planned(plan);
@@ -47,11 +47,12 @@ std::string seen(const Broken& broken) {
 
 }  // namespace
 
-std::vector<Bound> read_bounds_file(const std::string& path) {
+std::vector<Bound> read_bounds_file(const std::string& path,
+                                    const std::vector<const Subject*>& subjects) {
   LineFile file(path);
   std::vector<Bound> bounds = read_bounds(text_of(file), file.name());
   if (bounds.empty()) throw NothingAudited(file.name() + " has no row: nobody is held to anything");
-  const std::vector<Audit> audits = every_audit();
+  const std::vector<Audit> audits = every_audit(subjects);
   for (const Bound& bound : bounds)
     if (std::none_of(audits.begin(), audits.end(),
                      [&](const Audit& audit) { return bound.is_about(audit); }))

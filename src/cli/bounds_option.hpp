@@ -10,7 +10,8 @@ namespace rayaudit {
 
 /// Reads the bounds of a file, or of standard input for `-`. Throws Error where it cannot be read,
 /// NothingAudited where it holds nobody to anything, or a row of it names no audit there is.
-std::vector<Bound> read_bounds_file(const std::string& path);
+std::vector<Bound> read_bounds_file(const std::string& path,
+                                    const std::vector<const Subject*>& subjects);
 
 /// The bound as it stands in a file.
 std::string row(const Bound& bound);

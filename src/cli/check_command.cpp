@@ -19,7 +19,8 @@ namespace {
 using figures::grouped;
 
 struct CheckOptions {
-  std::vector<std::string> files, subjects;
+  std::vector<std::string> files;
+  SubjectChoice choice;
   Convention convention;
 };
 
@@ -133,9 +134,10 @@ class Checked {
 };
 
 int check(const CheckOptions& options) {
-  if (options.subjects.empty())
-    throw Error("check: name what to check, as in --subject 'textbook/*'");
-  const std::vector<const Subject*> subjects = selected_subjects(options.subjects);
+  if (options.choice.names.empty() && !options.choice.brings_any())
+    throw Error("check: name what to check, as in --subject 'textbook/*' or --plugin ./libmine.so");
+  const Subjects there(options.choice);
+  const std::vector<const Subject*> subjects = there.selected(options.choice);
   std::vector<Kept> kept;
   for (const std::string& file : options.files) {
     std::vector<Kept> here = kept_in(file);
@@ -167,8 +169,10 @@ void add_check_command(CLI::App& program, Command& asked) {
       ->type_name("")
       ->required();
   add_list(*command, "--subject", "SUBJECT,...", "names or globs, as 'textbook/*'",
-           options->subjects)
+           options->choice.names)
       ->delimiter(',');
+  add_bringers(*command, options->choice);
+  add_program_format(*command, options->choice);
   add_option(*command, "--convention", "KIND=STANCE,...",
              "what the subjects declare, before what each declares itself",
              [=](const std::string& text) { options->convention = read_convention(text); });
@@ -180,7 +184,8 @@ void add_check_command(CLI::App& program, Command& asked) {
       "Examples:\n"
       "  rayaudit audit textbook/float --save-cases found.txt\n"
       "  rayaudit check found.txt --subject textbook/float\n"
-      "  rayaudit check data/cases/*.txt --subject 'certified/*'\n");
+      "  rayaudit check data/cases/*.txt --subject 'certified/*'\n"
+      "  rayaudit check data/cases/*.txt --plugin ./libmine.so\n");
   command->callback([=, &asked] { asked = [options] { return check(*options); }; });
 }
 

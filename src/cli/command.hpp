@@ -23,6 +23,6 @@ void add_judge_command(CLI::App& program, Command& asked);
 void add_diff_command(CLI::App& program, Command& asked);
 void add_merge_command(CLI::App& program, Command& asked);
 void add_list_command(CLI::App& program, Command& asked);
-void add_serve_module_command(CLI::App& program, Command& asked);
+void add_serve_plugin_command(CLI::App& program, Command& asked);
 
 }  // namespace rayaudit

@@ -97,7 +97,7 @@ Command read_command_line(int argc, const char* const* argv) {
   add_diff_command(program, asked);
   add_merge_command(program, asked);
   add_list_command(program, asked);
-  add_serve_module_command(program, asked);
+  add_serve_plugin_command(program, asked);
   try {
     program.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

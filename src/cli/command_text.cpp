@@ -6,9 +6,7 @@
 #include <string_view>
 
 namespace rayaudit {
-namespace {
 
-/// A word as a shell takes it for itself.
 std::string quoted(const std::string& word) {
   const auto is_plain = [](char letter) {
     return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
@@ -19,8 +17,6 @@ std::string quoted(const std::string& word) {
   for (const char letter : word) text += letter == '\'' ? "'\\''" : std::string(1, letter);
   return text + '\'';
 }
-
-}  // namespace
 
 std::string command_text(const CLI::App& command, const std::vector<std::string>& without) {
   std::string text = "rayaudit " + command.get_name();

@@ -15,25 +15,17 @@ namespace {
 constexpr std::int64_t default_cases = 4'096, default_rounds = 15;
 
 struct CostOptions {
-  std::vector<std::string> subjects, shapes, families, reports;
+  SubjectChoice subjects;
+  std::vector<std::string> shapes, families, reports;
   CostPlan plan;
   Look look;
   std::string command;  ///< all of this as it was typed
 };
 
-/// Every way to answer where none is named: what is audited by name only takes part too.
-std::vector<const Subject*> ways(const std::vector<std::string>& patterns) {
-  require_present(patterns);
-  std::vector<const Subject*> subjects;
-  for (const std::size_t i :
-       selected("subject", patterns, names_of(all_subjects(), &Subject::name)))
-    subjects.push_back(&all_subjects()[i]);
-  return subjects;
-}
-
-CostPlan plan_of(const CostOptions& options) {
+CostPlan plan_of(const CostOptions& options, const Subjects& subjects) {
   CostPlan plan = options.plan;
-  plan.subjects = ways(options.subjects);
+  // Every way to answer where none is named: what is audited by name only takes part too.
+  plan.subjects = subjects.selected_of_all(options.subjects);
   for (const std::size_t i :
        selected("family", options.families, names_of(families(), &Family::id)))
     // Invalid cases are no question of accuracy: they take part where they are named.
@@ -50,7 +42,8 @@ int told_untimed(const Cost& cost) {
 }
 
 int cost(const CostOptions& options) {
-  const CostPlan plan = plan_of(options);
+  const Subjects subjects(options.subjects);
+  const CostPlan plan = plan_of(options, subjects);
   const auto orders = orders_of(options.reports, cost_reports());
   require_places(orders);
   Cost measured;

@@ -13,6 +13,7 @@
 #include "cli/output.hpp"
 #include "geometry/case_line.hpp"
 #include "geometry/error.hpp"
+#include "geometry/signal_name.hpp"
 #include "geometry/unknown_name.hpp"
 #include "reports/figures.hpp"
 #include "reports/pasted_test.hpp"
@@ -26,7 +27,8 @@ using oracle::Truth;
 struct ExplainOptions {
   std::vector<std::string> words;
   Format format = double_format;
-  const Subject* subject = nullptr;  ///< the one to follow step by step
+  std::string subject;  ///< the one to follow step by step, or empty
+  SubjectChoice brought;
   Convention convention = {};
   std::optional<PastedAs> as = {};  ///< a test to paste is wanted instead
 };
@@ -44,17 +46,13 @@ std::string shown(const Answer& answer, const Format& format) {
       return "at " + in_format(answer.point.x) + " " + in_format(answer.point.y) + " " +
              in_format(answer.point.z);
     default: {  // what stands in place of an answer
+      if (answer.signal != 0) return "crashed, " + signal_name(answer.signal);
       std::string text;
       write(text, answer);
       return text;
     }
   }
   return {};
-}
-
-const Subject& known_subject(const std::string& text) {
-  const auto& subjects = all_subjects();
-  return subjects[place_of("subject", text, names_of(subjects, &Subject::name))];
 }
 
 /// An answer with its verdict; and its cause, where it is the answer of a subject.
@@ -78,21 +76,38 @@ std::string judged_row(const std::string& who, const Case& question, const Answe
   return row.erase(row.find_last_not_of(' ') + 1) + '\n';
 }
 
-std::string subject_rows(const Case& question, const Convention& convention) {
-  const std::size_t shape = question.shape.index();
-  const bool floats = is_in(question, float_format);
+/// The row of a subject, where it answers the shape and its format has the case.
+std::string subject_row(const Case& question, const Subject& subject,
+                        const Convention& convention) {
+  if (!subject.answers(question.shape.index())) return "";
+  if (subject.format == float_format && !is_in(question, float_format)) return "";
+  return judged_row(subject.name, question, answer_one(subject, question), subject.format,
+                    joined(convention, subject.convention), &subject);
+}
+
+/// The rows of those that are asked of every case, and of the one to follow; where there is none,
+/// of all that are brought along.
+std::string subject_rows(const Case& question, const Subjects& subjects, const Subject* followed,
+                         const Convention& convention) {
   std::string text;
+  bool is_told = false;
   for (const Subject& subject : built_in_subjects()) {
-    if (!subject.answers(shape) || (subject.format == float_format && !floats)) continue;
-    text += judged_row(subject.name, question, answer_one(subject, question), subject.format,
-                       convention, &subject);
+    text += subject_row(question, subject, convention);
+    is_told = is_told || (followed != nullptr && subject.name == followed->name);
   }
-  if (!floats) text += "subjects in float are not asked: the case has numbers that are no floats\n";
+  if (followed == nullptr)
+    for (const Subject& subject : subjects.brought())
+      text += subject_row(question, subject, convention);
+  else if (!is_told)
+    text += subject_row(question, *followed, convention);
+  if (!is_in(question, float_format))
+    text += "subjects in float are not asked: the case has numbers that are no floats\n";
   return text;
 }
 
 /// One subject on a case: the cause of its answer in full, and its steps.
-std::string followed(const Case& question, const Subject& subject, const Convention& convention) {
+std::string followed(const Case& question, const Subject& subject, const Convention& stated) {
+  const Convention convention = joined(stated, subject.convention);
   if (!subject.answers(question.shape.index()))
     throw Error(
         fmt::format("--subject: {} does not answer a {}", subject.name, name(question.shape)));
@@ -113,8 +128,7 @@ std::string followed(const Case& question, const Subject& subject, const Convent
 }
 
 /// A test in the format asked for, or that of the subject.
-std::string pasted(const ExplainOptions& options, const CaseLine& line) {
-  const Subject* subject = options.subject;
+std::string pasted(const ExplainOptions& options, const CaseLine& line, const Subject* subject) {
   const Format& format = subject != nullptr ? subject->format : options.format;
   const Convention convention =
       subject != nullptr ? joined(options.convention, subject->convention) : options.convention;
@@ -127,9 +141,11 @@ std::string pasted(const ExplainOptions& options, const CaseLine& line) {
 
 int explain(const ExplainOptions& options) {
   const std::string line = line_of(options.words);
+  const Subjects subjects(options.brought);
+  const Subject* subject = options.subject.empty() ? nullptr : &subjects.named(options.subject);
   const CaseLine read = read_case_line(line);
   if (options.as) {
-    print(pasted(options, read));
+    print(pasted(options, read, subject));
     return all_held;
   }
   const auto& [question, answer, why, words] = read;
@@ -138,13 +154,14 @@ int explain(const ExplainOptions& options) {
   text += truth_text(question, oracle::truth(question));
   text += fmt::format("\n{:<28} {:<26} {:<22} {:>8} {:>8}  {:<7} {}\n", "subject", "answer",
                       "verdict", "ulps", "forced", "side", "cause");
-  const Format& format = options.subject != nullptr ? options.subject->format : options.format;
+  const Format& format = subject != nullptr ? subject->format : options.format;
+  Convention convention = options.convention;
+  if (subject != nullptr) convention = joined(convention, subject->convention);
   if (answer)
     text += judged_row(fmt::format("the line, in {}", format.name), question, *answer, format,
-                       options.convention, nullptr);
-  text += subject_rows(question, options.convention);
-  if (options.subject != nullptr)
-    text += '\n' + followed(question, *options.subject, options.convention);
+                       convention, nullptr);
+  text += subject_rows(question, subjects, subject, options.convention);
+  if (subject != nullptr) text += '\n' + followed(question, *subject, options.convention);
   print(text);
   return all_held;
 }
@@ -168,13 +185,16 @@ void add_explain_command(CLI::App& program, Command& asked) {
       "explain", "Show one case, CASE-LINE or FILE:LINE: its truth and all answers to it");
   command->allow_extras();
   add_option(*command, "--subject", "ROUTINE/NUMBER", "follow this one step by step",
-             [=](const std::string& text) { options->subject = &known_subject(text); });
+             [=](const std::string& text) { options->subject = text; });
+  add_bringers(*command, options->brought);
   add_option(*command, "--convention", "KIND=STANCE,...",
-             "what is declared of touches, as tangent=hit,rim=miss",
+             "what is declared, as tangent=hit,inside=miss",
              [=](const std::string& text) { options->convention = read_convention(text); });
   add_option(*command, "--format", "FORMAT",
-             "of the answer on the line: float, double or long_double",
-             [=](const std::string& text) { options->format = known_format(text); })
+             "of the answer on the line, and of a program: float, double or long_double",
+             [=](const std::string& text) {
+               options->format = options->brought.format = known_format(text);
+             })
       ->default_str("double");
   add_option(*command, "--as", "KIND",
              "a test to paste instead, for boost, gtest, catch2 or c, in the format",
@@ -188,7 +208,8 @@ void add_explain_command(CLI::App& program, Command& asked) {
       "  rayaudit explain --format float 'sphere 0 0 0 1 ray 0 0.5 -3 0 0 1 hit 2.125'\n"
       "  rayaudit explain --subject textbook/float 'sphere 0 0 0 1 ray 0 1 -1024 0 0 1'\n"
       "  rayaudit explain data/cases/tangent.txt:12\n"
-      "  rayaudit explain --as gtest --format float found.txt:3\n");
+      "  rayaudit explain --as gtest --format float found.txt:3\n"
+      "  rayaudit explain --subject mine/double --plugin ./libmine.so data/cases/tangent.txt:12\n");
   command->callback([=, &asked] {
     options->words = case_words(*command);
     asked = [options] { return explain(*options); };

@@ -1,14 +1,15 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 
 #include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/names.hpp"
+#include "cli/option.hpp"
 #include "cli/output.hpp"
 #include "cli/selection.hpp"
 #include "families/family.hpp"
+#include "reports/declared.hpp"
 #include "reports/report.hpp"
 #include "subjects/subject.hpp"
 
@@ -27,21 +28,23 @@ std::string shape_lines(std::index_sequence<I...>) {
                             std::variant_alternative_t<I, Shape>::about));
 }
 
-std::string list_shapes() { return shape_lines(std::make_index_sequence<shape_count>{}); }
+std::string list_shapes(const Subjects&) {
+  return shape_lines(std::make_index_sequence<shape_count>{});
+}
 
-std::string list_subjects() {
+std::string list_subjects(const Subjects& subjects) {
   std::string text;
-  for (const Subject& subject : all_subjects()) {
+  for (const Subject* subject : subjects.all()) {
     std::vector<std::size_t> shapes;
     for (std::size_t shape = 0; shape < shape_count; ++shape)
-      if (subject.answers(shape)) shapes.push_back(shape);
-    text += fmt::format("{:<36}{:<29}{}\n", subject.name, joined_shapes(shapes),
-                        subject.by_name_only ? "by name only" : "");
+      if (subject->answers(shape)) shapes.push_back(shape);
+    text += fmt::format("{:<36}{:<29}{}\n", subject->name, joined_shapes(shapes),
+                        subject->by_name_only ? "by name only" : declared(subject->convention));
     text.erase(text.find_last_not_of(" \n") + 1);
     text += '\n';
   }
-  for (const auto& [subjects, why] : absent_subjects())
-    text += fmt::format("{:<36}not here: {}\n", subjects, why);
+  for (const auto& [names, why] : absent_subjects())
+    text += fmt::format("{:<36}not here: {}\n", names, why);
   return text;
 }
 
@@ -50,7 +53,7 @@ std::string_view name_of(Strength strength) {
   return names[static_cast<std::size_t>(strength)];
 }
 
-std::string list_families() {
+std::string list_families(const Subjects&) {
   std::string text;
   for (const Family& family : families()) {
     text += fmt::format("{:<15}{:<12}{:<28}{}", family.id, name_of(family.strength),
@@ -63,7 +66,7 @@ std::string list_families() {
   return text;
 }
 
-std::string list_reports() {
+std::string list_reports(const Subjects&) {
   std::string text;
   for (const auto& report : reports()) text += fmt::format("{:<10}{}\n", report.name, report.about);
   return text;
@@ -71,24 +74,25 @@ std::string list_reports() {
 
 struct Listing {
   std::string_view heading;
-  std::string (*write)();
+  std::string (*write)(const Subjects& subjects);
 };
 
 constexpr std::array listings = {Listing{"shapes", list_shapes}, Listing{"subjects", list_subjects},
                                  Listing{"families", list_families},
                                  Listing{"reports", list_reports}};
 
-int list(const std::string& heading) {
+int list(const std::string& heading, const SubjectChoice& choice) {
+  const Subjects subjects(choice);
   if (!heading.empty()) {
     const auto known = names_of(listings, &Listing::heading);
-    print(listings[place_of("list of", heading, known)].write());
+    print(listings[place_of("list of", heading, known)].write(subjects));
     return all_held;
   }
   std::string text;
   for (const Listing& each : listings) {
     if (!text.empty()) text += '\n';
     (text += each.heading) += '\n';
-    text += each.write();
+    text += each.write(subjects);
   }
   print(text);
   return all_held;
@@ -98,11 +102,15 @@ int list(const std::string& heading) {
 
 void add_list_command(CLI::App& program, Command& asked) {
   const auto heading = std::make_shared<std::string>();
+  const auto choice = std::make_shared<SubjectChoice>();
   CLI::App* command = program.add_subcommand("list", "List what there is to name");
   command->add_option("WHAT", *heading, "shapes, subjects, families or reports; else all four")
       ->type_name("");
-  command->footer("Examples:\n  rayaudit list\n  rayaudit list families\n");
-  command->callback([=, &asked] { asked = [heading] { return list(*heading); }; });
+  add_bringers(*command, *choice);
+  command->footer(
+      "Examples:\n  rayaudit list\n  rayaudit list families\n"
+      "  rayaudit list subjects --plugin ./libmine.so\n");
+  command->callback([=, &asked] { asked = [heading, choice] { return list(*heading, *choice); }; });
 }
 
 }  // namespace rayaudit

@@ -13,13 +13,12 @@ namespace {
 
 struct MergeOptions {
   std::vector<std::string> files;
+  SubjectChoice subjects;
   AuditEnd end;
 };
 
-ShardSum sum_of(const std::vector<std::string>& files) {
-  const auto subject_named = [](const std::string& name) {
-    return selected_subjects({name}).front();
-  };
+ShardSum sum_of(const std::vector<std::string>& files, const Subjects& subjects) {
+  const auto subject_named = [&](const std::string& name) { return &subjects.named(name); };
   ShardSum sum;
   for (const std::string& path : files) {
     const WholeFile file = read_whole(path);
@@ -30,7 +29,8 @@ ShardSum sum_of(const std::vector<std::string>& files) {
 }
 
 int merge(const MergeOptions& options) {
-  ShardSum sum = sum_of(options.files);
+  const Subjects subjects(options.subjects);
+  ShardSum sum = sum_of(options.files, subjects);
   const ReadyEnd end = ready(options.end, sum.plan());
   conclude(sum.plan(), sum.audits());
   return told(end, {RAYAUDIT_VERSION, sum.plan(), sum.audits(), sum.environment(), sum.command()});
@@ -45,8 +45,11 @@ void add_merge_command(CLI::App& program, Command& asked) {
   command->add_option("FILE", options->files, "what `audit --shard i/n --report shard=FILE` wrote")
       ->type_name("")
       ->required();
+  add_bringers(*command, options->subjects);
+  add_program_format(*command, options->subjects);
   add_audit_end(*command, options->end);
   command->footer(
+      "Plugins and programs of the shards are to be named again.\n"
       "Whatever the shards, and wherever they ran, the reports are those of one run to the byte.\n"
       "Bounds are the shards': each is run with the same --bounds, and here they are judged. (Of "
       "a\n"

@@ -5,8 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "cli/formats.hpp"
+#include "cli/seconds.hpp"
 #include "cli/selection.hpp"
 #include "cli/whole_number.hpp"
+#include "geometry/error.hpp"
 
 namespace rayaudit {
 
@@ -38,11 +41,44 @@ inline CLI::Option* add_list(CLI::App& command, const char* name, const char* va
   return command.add_option(name, texts, about)->type_name(value)->allow_extra_args(false);
 }
 
+/// Adds what brings subjects along.
+inline void add_bringers(CLI::App& command, SubjectChoice& choice) {
+  add_list(command, "--plugin", "FILE",
+           "a shared object that brings subjects (rayaudit/plugin.h); without names, only these "
+           "are chosen; may be repeated",
+           choice.plugins);
+  add_option(
+      command, "--program", "COMMAND",
+      "a program that reads case lines and writes them with its answers; without names, only "
+      "this is chosen",
+      [&choice](const std::string& text) {
+        if (text.find_first_not_of(" \t\n") == text.npos)
+          throw Error("--program: expected a command");
+        choice.program = text;
+      });
+  add_option(
+      command, "--patience", "SECONDS",
+      "in which a plugin must answer a batch, or a program read or write something; default: "
+      "2 and 10",
+      [&choice](const std::string& text) { choice.patience = seconds("--patience", text); });
+}
+
+/// Adds what such a program works in.
+inline void add_program_format(CLI::App& command, SubjectChoice& choice) {
+  add_option(command, "--format", "FORMAT",
+             "what the program works in: float, double or long_double",
+             [&choice](const std::string& text) { choice.format = known_format(text); })
+      ->default_str("double")
+      ->needs("--program");
+}
+
 /// Adds what to choose from subjects and shapes, by names or globs.
-inline void add_subjects_and_shapes(CLI::App& command, std::vector<std::string>& subjects,
+inline void add_subjects_and_shapes(CLI::App& command, SubjectChoice& choice,
                                     std::vector<std::string>& shapes) {
-  command.add_option("SUBJECT", subjects, "names or globs, as textbook/* or '*/float'")
+  command.add_option("SUBJECT", choice.names, "names or globs, as textbook/* or '*/float'")
       ->type_name("");
+  add_bringers(command, choice);
+  add_program_format(command, choice);
   add_list(command, "--shape", "SHAPE,...", "names or globs", shapes)->delimiter(',');
 }
 

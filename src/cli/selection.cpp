@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
+#include "cli/command_text.hpp"
 #include "cli/names.hpp"
 #include "geometry/error.hpp"
 #include "geometry/glob.hpp"
@@ -12,11 +15,19 @@ namespace rayaudit {
 namespace {
 
 /// Does a pattern stand for a subject that is asked for by name only?
-bool reaches(const std::string& pattern, const std::vector<Subject>& all, std::size_t i) {
-  if (!all[i].by_name_only || !is_glob(pattern)) return true;
-  return std::none_of(all.begin(), all.end(), [&](const Subject& each) {
-    return !each.by_name_only && matches(pattern, each.name);
+bool reaches(const std::string& pattern, const std::vector<const Subject*>& all,
+             const Subject& subject) {
+  if (!subject.by_name_only || !is_glob(pattern)) return true;
+  return std::none_of(all.begin(), all.end(), [&](const Subject* each) {
+    return !each->by_name_only && matches(pattern, each->name);
   });
+}
+
+std::vector<std::string_view> names_of(const std::vector<const Subject*>& subjects) {
+  std::vector<std::string_view> names;
+  names.reserve(subjects.size());
+  for (const Subject* subject : subjects) names.push_back(subject->name);
+  return names;
 }
 
 }  // namespace
@@ -28,19 +39,59 @@ void require_present(const std::vector<std::string>& patterns) {
         throw Error(fmt::format("subject `{}` is not here: {}", pattern, why));
 }
 
-std::vector<const Subject*> selected_subjects(const std::vector<std::string>& patterns) {
-  require_present(patterns);
-  const std::vector<Subject>& all = all_subjects();
+Subjects::Subjects(const SubjectChoice& choice) {
+  for (const std::string& file : choice.plugins)
+    add(plugin_subjects(file, choice.patience.value_or(plugin_patience)),
+        "--plugin " + quoted(file));
+  if (!choice.program.empty())
+    add({program_subject(choice.program, choice.format, choice.patience.value_or(usual_patience))},
+        fmt::format("--program {} --format {}", quoted(choice.program), choice.format.name));
+  for (const Subject& subject : brought_) all_.push_back(&subject);
+  for (const Subject& subject : all_subjects()) all_.push_back(&subject);
+}
+
+void Subjects::add(std::vector<Subject> subjects, const std::string& brought_by) {
+  for (Subject& subject : subjects) {
+    const auto is_of_name = [&](const Subject& each) { return each.name == subject.name; };
+    const std::vector<Subject>& here = all_subjects();
+    if (std::any_of(brought_.begin(), brought_.end(), is_of_name) ||
+        std::any_of(here.begin(), here.end(), is_of_name))
+      throw Error(fmt::format("{} brings a subject `{}`, and there is one of this name already",
+                              brought_by, subject.name));
+    subject.brought_by = brought_by;
+  }
+  std::move(subjects.begin(), subjects.end(), std::back_inserter(brought_));
+}
+
+std::vector<const Subject*> Subjects::selected(const SubjectChoice& choice) const {
+  if (choice.names.empty() && choice.brings_any()) return selected_of_all(choice);
+  require_present(choice.names);
   const std::vector<std::string> asked =
-      patterns.empty() ? std::vector<std::string>{"*"} : patterns;
-  std::vector<bool> chosen(all.size());
+      choice.names.empty() ? std::vector<std::string>{"*"} : choice.names;
+  std::vector<bool> chosen(all_.size());
   for (const std::string& pattern : asked)
-    for (const std::size_t i : selected("subject", {pattern}, names_of(all, &Subject::name)))
-      if (reaches(pattern, all, i)) chosen[i] = true;
+    for (const std::size_t i : rayaudit::selected("subject", {pattern}, names_of(all_)))
+      if (reaches(pattern, all_, *all_[i])) chosen[i] = true;
   std::vector<const Subject*> subjects;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (chosen[i]) subjects.push_back(&all[i]);
+  for (std::size_t i = 0; i < all_.size(); ++i)
+    if (chosen[i]) subjects.push_back(all_[i]);
   return subjects;
+}
+
+std::vector<const Subject*> Subjects::selected_of_all(const SubjectChoice& choice) const {
+  require_present(choice.names);
+  std::vector<const Subject*> subjects;
+  if (choice.names.empty() && choice.brings_any()) {
+    for (const Subject& subject : brought_) subjects.push_back(&subject);
+    return subjects;
+  }
+  for (const std::size_t i : rayaudit::selected("subject", choice.names, names_of(all_)))
+    subjects.push_back(all_[i]);
+  return subjects;
+}
+
+const Subject& Subjects::named(const std::string& name) const {
+  return *all_[place_of("subject", name, names_of(all_))];
 }
 
 std::vector<std::size_t> shapes_of(const Family& family) {

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "families/family.hpp"
+#include "subjects/plugins.hpp"
+#include "subjects/program.hpp"
 #include "subjects/subject.hpp"
 
 namespace rayaudit {
@@ -15,10 +19,46 @@ inline constexpr std::uint64_t default_seed = 1;
 /// The most cases that can be drawn: all counts of a run stay far from overflow.
 inline constexpr std::int64_t largest_cases = 1'000'000'000'000'000;
 
-/// The subjects that an audit of these names and globs has: without any, those of every audit. A
-/// glob stands for these too; where it matches none of them, for any subject there is. Throws Error
-/// where a name is not known, NothingAudited where a glob matches nothing.
-std::vector<const Subject*> selected_subjects(const std::vector<std::string>& patterns);
+/// What a command line says of subjects.
+struct SubjectChoice {
+  std::vector<std::string> names;    ///< and globs
+  std::vector<std::string> plugins;  ///< files
+  std::string program;               ///< a shell command, or empty
+  Format format = double_format;     ///< what that works in
+  std::optional<std::chrono::milliseconds> patience;
+
+  bool brings_any() const { return !plugins.empty() || !program.empty(); }
+};
+
+/// Subjects to choose from: those that a command line brings along, then all there are.
+class Subjects {
+ public:
+  /// Loads what is brought along. Throws Error where that cannot be, or a name is taken already.
+  explicit Subjects(const SubjectChoice& choice);
+  Subjects(const Subjects&) = delete;
+  Subjects& operator=(const Subjects&) = delete;
+
+  const std::vector<Subject>& brought() const { return brought_; }
+  /// They stand as long as this does.
+  const std::vector<const Subject*>& all() const { return all_; }
+
+  /// The subjects that an audit of the choice has: without names, those that it brings along, else
+  /// those of every audit. A glob stands for these too; where it matches none of them, for any
+  /// subject there is. Throws Error where a name is not known, NothingAudited where a glob matches
+  /// nothing.
+  std::vector<const Subject*> selected(const SubjectChoice& choice) const;
+  /// The same, but that of what is not brought along every subject counts as one of every audit.
+  std::vector<const Subject*> selected_of_all(const SubjectChoice& choice) const;
+
+  /// The subject of a name; throws Error where there is none.
+  const Subject& named(const std::string& name) const;
+
+ private:
+  void add(std::vector<Subject> subjects, const std::string& brought_by);
+
+  std::vector<Subject> brought_;
+  std::vector<const Subject*> all_;
+};
 
 /// Throws Error where a name or glob asks for subjects that this build or place does not have.
 void require_present(const std::vector<std::string>& patterns);

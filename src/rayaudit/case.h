@@ -83,7 +83,7 @@ typedef struct rayaudit_answer {
 
 static inline rayaudit_answer rayaudit_of_form(rayaudit_form form) {
   rayaudit_answer answer = {0, 0, 0, {0, 0, 0}, {0, 0, 0}};
-  answer.form = form;
+  answer.form = (int32_t)form;
   return answer;
 }
 static inline rayaudit_answer rayaudit_miss(void) { return rayaudit_of_form(RAYAUDIT_MISS); }

@@ -31,14 +31,15 @@ RecordedOutcome read_outcome(const json& of) {
           of.at("cause"),   of.at("case"),  of.at("explain")};
 }
 
-RecordedAudit read_audit(const json& of) {
+RecordedAudit read_audit(const json& of, const json& declared) {
   const json& own = of.at("own");
-  RecordedAudit audit = {of.at("subject"),         of.at("shape"),
-                         of.at("family"),          of.at("cases"),
-                         of.at("wrong"),           {},
-                         number(own.at("max")),    own.value("case", ""),
-                         own.value("explain", ""), of.value("convention", json()).dump(),
-                         of.value("drawn", "")};
+  RecordedAudit audit = {
+      of.at("subject"),         of.at("shape"),
+      of.at("family"),          of.at("cases"),
+      of.at("wrong"),           {},
+      number(own.at("max")),    own.value("case", ""),
+      own.value("explain", ""), declared.value(of.at("subject").get<std::string>(), json()).dump(),
+      of.value("drawn", "")};
   for (const json& outcome : of.at("outcomes")) audit.outcomes.push_back(read_outcome(outcome));
   return audit;
 }
@@ -176,7 +177,8 @@ Record read_record(std::string_view text, const std::string& name) {
                      report.at("convention").dump(),
                      report.at("shares").dump(),
                      {}};
-    for (const json& audit : report.at("audits")) record.audits.push_back(read_audit(audit));
+    for (const json& audit : report.at("audits"))
+      record.audits.push_back(read_audit(audit, report.at("declared")));
     require_single(record);
     return record;
   } catch (const json::exception& fault) {

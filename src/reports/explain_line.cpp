@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "geometry/case_line.hpp"
+#include "reports/declared.hpp"
 
 namespace rayaudit {
 
@@ -19,19 +20,11 @@ std::string explain_line(const Worst& worst, const Format& format) {
 }
 
 std::string explain_line(const Worst& worst, const Subject& subject, const Convention& stated) {
-  const Convention convention = joined(stated, subject.convention);
-  std::string declared;
-  for (std::size_t kind = 1; kind < convention.stances.size(); ++kind) {
-    const auto stance = convention.stances[kind];
-    if (stance != Convention::Stance::either)
-      declared += fmt::format("{}{}={}", declared.empty() ? " --convention " : ",",
-                              name(static_cast<oracle::Kind>(kind)),
-                              stance == Convention::Stance::hit ? "hit" : "miss");
-  }
-  if (convention.inside != Convention::Inside::hit)
-    declared += fmt::format("{}inside={}", declared.empty() ? " --convention " : ",",
-                            convention.inside == Convention::Inside::miss ? "miss" : "start");
-  return fmt::format("rayaudit explain --subject {}{} '{}'", subject.name, declared,
+  // What the subject declares itself, it brings along.
+  std::string words = declared(stated);
+  if (!words.empty()) words.insert(0, " --convention ");
+  const std::string brought = subject.brought_by.empty() ? "" : ' ' + subject.brought_by;
+  return fmt::format("rayaudit explain --subject {}{}{} '{}'", subject.name, brought, words,
                      answered_line(worst));
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "audit/finding.hpp"
+#include "geometry/signal_name.hpp"
 #include "reports/explain_line.hpp"
 #include "reports/figures.hpp"
 #include "reports/wrapped.hpp"
@@ -167,13 +168,23 @@ std::string minimal(const Minimal& of) {
   return of.margin > 0 ? text + fmt::format(", margin {} u", magnitude(of.margin)) : text;
 }
 
+/// What a process ended by, and whether it all shows again.
+std::string circumstances(const Finding& worst) {
+  std::string text;
+  if (const int signal = worst.example.answer.signal; signal != 0)
+    text += ", killed by " + signal_name(signal);
+  if (!worst.example.repeats) text += "; not reproducible: the case below, asked alone, goes well";
+  return text;
+}
+
 std::string paragraph(const Theme& theme, std::size_t rank, const Convention& convention,
                       const Ink& ink) {
   const Finding& worst = theme.front();
   const std::string verdict = figures::words(name(worst.verdict));
-  std::string head = wrapped(fmt::format("{} by {}: {}{}", verdict, worst.routine,
-                                         sentence(worst.verdict), sentence(worst.claim)),
-                             5);
+  std::string head =
+      wrapped(fmt::format("{} by {}: {}{}{}", verdict, worst.routine, sentence(worst.verdict),
+                          sentence(worst.claim), circumstances(worst)),
+              5);
   // Coloured last: escape codes would count as letters.
   head.replace(0, 5 + verdict.size(), fmt::format("{:>3}. {}", rank, ink.bad(verdict)));
   std::string text =

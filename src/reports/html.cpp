@@ -3,6 +3,7 @@
 
 #include "audit/along.hpp"
 #include "audit/finding.hpp"
+#include "reports/declared.hpp"
 #include "reports/explain_line.hpp"
 #include "reports/findings.hpp"
 #include "reports/json.hpp"
@@ -69,7 +70,10 @@ std::size_t Page::family(const Family& family) {
 std::size_t Page::subject(const Subject& subject) {
   const std::size_t place = subjects_.place(subject.name);
   if (place == subject_list_.size())
-    subject_list_.push_back({{"name", subject.name}, {"format", subject.format.name}});
+    subject_list_.push_back({{"name", subject.name},
+                             {"format", subject.format.name},
+                             {"declares", declared(subject.convention)},
+                             {"brought_by", subject.brought_by}});
   return place;
 }
 

@@ -5,6 +5,7 @@
 
 #include "audit/drawn.hpp"
 #include "audit/finding.hpp"
+#include "geometry/signal_name.hpp"
 #include "reports/explain_line.hpp"
 #include "reports/report.hpp"
 
@@ -133,7 +134,7 @@ Json bound(const Certificate& certificate) {
           {"observed_case", line(observed)}};
 }
 
-Json declared(const Convention& convention) {
+Json told(const Convention& convention) {
   constexpr std::string_view stances[] = {"either", "hit", "miss"};
   constexpr std::string_view insides[] = {"hit", "miss", "start"};
   Json told = Json::object();
@@ -148,6 +149,15 @@ Json declared(const Convention& convention) {
   return told;
 }
 
+/// By subject, of those that declare anything.
+Json declared(const std::vector<Audit>& audits) {
+  Json all = Json::object();
+  for (const Audit& audit : audits)
+    if (audit.subject->convention != Convention{})
+      all[audit.subject->name] = told(audit.subject->convention);
+  return all;
+}
+
 Json told(const Audit& audit, const Plan& plan) {
   const Tally& tally = audit.tally;
   Json told = {{"subject", audit.subject->name},
@@ -155,6 +165,7 @@ Json told(const Audit& audit, const Plan& plan) {
                {"shape", shape_names[audit.shape]},
                {"family", audit.family->id},
                {"cases", tally.cases},
+               {"unasked", tally.unasked},
                {"wrong", tally.wrong()}};
   // Where none of N is wrong, the share of wrong is below 3/N with 95 % confidence.
   told["wrong_below_95"] =
@@ -181,9 +192,6 @@ Json told(const Audit& audit, const Plan& plan) {
   told["bound"] = bound(certificate);
   if (tally.stages != decltype(tally.stages){})
     told["stages"] = Json(std::vector(tally.stages.begin() + 1, tally.stages.end()));
-  if (tally.unasked > 0) told["unasked"] = tally.unasked;
-  if (audit.subject->convention != Convention{})
-    told["convention"] = declared(audit.subject->convention);
   if (const auto cases = drawn(plan, audit)) told["drawn"] = fmt::format("{:016x}", *cases);
   return told;
 }
@@ -216,7 +224,11 @@ Json told(const Finding& finding) {
           {"family", finding.audit->family->id},
           {"cause", told(told_first(finding.example).diagnosis)},
           {"minimal", minimal(finding.example)},
-          {"example", answered_line(finding.example)}};
+          {"example", answered_line(finding.example)},
+          {"signal", finding.example.answer.signal != 0
+                         ? Json(signal_name(finding.example.answer.signal))
+                         : Json(nullptr)},
+          {"reproducible", finding.example.repeats}};
 }
 
 /// Of how many of each chunk of cases more than the verdict was asked; all, in a thorough run.
@@ -241,7 +253,8 @@ std::string write_json(const Run& run, const Look&) {
                        {"seed", plan.seed},
                        {"cases", plan.cases},
                        {"difficulty", plan.difficulty ? Json(*plan.difficulty) : Json(nullptr)},
-                       {"convention", declared(plan.convention)},
+                       {"convention", told(plan.convention)},
+                       {"declared", declared(run.audits)},
                        {"limits", {{"wrong_t", wrong_t_limit}}},
                        {"shares", shares(plan)},
                        {"environment", told(run.environment)},

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "reports/declared.hpp"
 #include "reports/figures.hpp"
 #include "reports/findings.hpp"
 #include "reports/ink.hpp"
@@ -62,15 +63,40 @@ bool is_less_untrue(const Audit* a, const Audit* b) {
          static_cast<double>(untrue(b->tally)) / static_cast<double>(b->tally.cases);
 }
 
-constexpr std::array shown_verdicts = {Verdict::false_hit,  Verdict::false_miss,
-                                       Verdict::wrong_root, Verdict::wrong_t,
-                                       Verdict::not_finite, Verdict::invalid_mishandled};
+/// A column of verdicts, and the two lines of its heading.
+struct VerdictColumn {
+  Verdict verdict;
+  std::string_view above, below;
+};
+using Columns = std::vector<VerdictColumn>;
 
-constexpr int subject_width = 28, family_width = 13, share_width = 6, error_width = 7;
-constexpr int shares_width = share_width * (1 + static_cast<int>(shown_verdicts.size()));
+/// The verdicts that have a column: crashes and time-outs where any occurred.
+Columns columns_of(const std::vector<Audit>& audits) {
+  Columns all = {
+      {Verdict::false_hit, "false", "hit"},   {Verdict::false_miss, "false", "miss"},
+      {Verdict::wrong_root, "wrong", "root"}, {Verdict::wrong_t, "wrong", "t"},
+      {Verdict::not_finite, "NaN,", "inf"},   {Verdict::crashed, "cra-", "shed"},
+      {Verdict::timed_out, "timed", "out"},   {Verdict::invalid_mishandled, "in-", "valid"}};
+  std::erase_if(all, [&](const VerdictColumn& column) {
+    const bool is_rare = column.verdict == Verdict::crashed || column.verdict == Verdict::timed_out;
+    return is_rare && std::none_of(audits.begin(), audits.end(), [&](const Audit& audit) {
+             return audit.tally.of(column.verdict) > 0;
+           });
+  });
+  return all;
+}
+
+constexpr int family_width = 13, share_width = 6, error_width = 7;
+
+/// What the rare columns take, the names of subjects give.
+int subject_width(const Columns& columns) {
+  constexpr int with_six = 28;
+  return with_six - share_width * (static_cast<int>(columns.size()) - 6);
+}
 
 /// What is wrong of all, and of it what; or how little can be, with nothing wrong seen.
-std::string shares(const Tally& tally, const Ink& ink) {
+std::string shares(const Tally& tally, const Columns& columns, const Ink& ink) {
+  const int shares_width = share_width * (1 + static_cast<int>(columns.size()));
   const std::uint64_t wrong = tally.wrong();
   if (wrong == 0) {
     const double most = 300 / static_cast<double>(tally.cases);
@@ -79,8 +105,8 @@ std::string shares(const Tally& tally, const Ink& ink) {
     return ink.good(fmt::format("{:>{}}", holds, shares_width));
   }
   std::string text = ink.bad(fmt::format("{:>{}}", percent(wrong, tally.cases), share_width));
-  for (const Verdict verdict : shown_verdicts)
-    text += fmt::format("{:>{}}", percent(tally.of(verdict), tally.cases), share_width);
+  for (const VerdictColumn& column : columns)
+    text += fmt::format("{:>{}}", percent(tally.of(column.verdict), tally.cases), share_width);
   return text;
 }
 
@@ -100,47 +126,63 @@ std::string cause_and_margin(const Line& line) {
   return fmt::format("{:>11}{:>9}", cause, widest == nullptr ? "-" : magnitude(widest->severity));
 }
 
-std::string row(const Line& line, const Ink& ink) {
+std::string row(const Line& line, const Columns& columns, const Ink& ink) {
+  const int width_of_names = subject_width(columns);
   const auto holds = [](const Audit* audit) { return audit->tally.wrong() == 0; };
   const auto held = std::count_if(line.audits.begin(), line.audits.end(), holds);
   const Audit* worst = *std::max_element(line.audits.begin(), line.audits.end(), is_less_untrue);
   const Tally& there = worst->tally;
   const std::string_view most = untrue(there) == 0 ? "" : worst->family->id;
   const Tally& tally = line.tally;
-  return fmt::format(
-      "  {:<{}}{}{:>6} {:<{}}{}{}\n", cut(line.subject->name, subject_width), subject_width,
-      shares(tally, ink), fmt::format("{}/{}", held, line.audits.size()), cut(most, family_width),
-      family_width, cause_and_margin(line), error(tally.forced, tally.forced.largest()));
+  return fmt::format("  {:<{}}{}{:>6} {:<{}}{}{}\n",
+                     cut(line.subject->name, static_cast<std::size_t>(width_of_names)),
+                     width_of_names, shares(tally, columns, ink),
+                     fmt::format("{}/{}", held, line.audits.size()), cut(most, family_width),
+                     family_width, cause_and_margin(line),
+                     error(tally.forced, tally.forced.largest()));
 }
 
-std::string row_of_family(const Line& line, const Ink& ink) {
+std::string row_of_family(const Line& line, const Columns& columns, const Ink& ink) {
+  const int width_of_names = subject_width(columns);
   const Tally& tally = line.tally;
-  return fmt::format("  {:<{}} {:<{}}{}{}{}{}\n", cut(line.subject->name, subject_width),
-                     subject_width, cut(line.audits.front()->family->id, family_width),
-                     family_width, shares(tally, ink), cause_and_margin(line),
+  return fmt::format("  {:<{}} {:<{}}{}{}{}{}\n",
+                     cut(line.subject->name, static_cast<std::size_t>(width_of_names)),
+                     width_of_names, cut(line.audits.front()->family->id, family_width),
+                     family_width, shares(tally, columns, ink), cause_and_margin(line),
                      error(tally.ulps, tally.ulps.largest()),
                      error(tally.forced, tally.forced.largest()));
 }
 
-constexpr std::string_view verdicts_above = "       false false wrong wrong  NaN,   in-";
-constexpr std::string_view verdicts_below = " wrong   hit  miss  root     t   inf valid";
+std::string verdicts_above(const Columns& columns) {
+  std::string text(share_width, ' ');
+  for (const VerdictColumn& column : columns)
+    text += fmt::format("{:>{}}", column.above, share_width);
+  return text;
+}
+std::string verdicts_below(const Columns& columns) {
+  std::string text = fmt::format("{:>{}}", "wrong", share_width);
+  for (const VerdictColumn& column : columns)
+    text += fmt::format("{:>{}}", column.below, share_width);
+  return text;
+}
 
-std::string heading(std::string_view shape, const Ink& ink) {
-  const std::string name = fmt::format("{:<{}}", shape, 2 + subject_width);
-  return ink.heading(name) + std::string(verdicts_above) +
-         fmt::format("{:>47}\n{:<{}}", "main wrong to forced", "", 2 + subject_width) +
-         std::string(verdicts_below) +
+std::string heading(std::string_view shape, const Columns& columns, const Ink& ink) {
+  const int width_of_names = subject_width(columns);
+  const std::string name = fmt::format("{:<{}}", shape, 2 + width_of_names);
+  return ink.heading(name) + verdicts_above(columns) +
+         fmt::format("{:>47}\n{:<{}}", "main wrong to forced", "", 2 + width_of_names) +
+         verdicts_below(columns) +
          fmt::format(" {:>5} {:<13}{:>11}{:>9}{:>7}\n", "holds", "most wrong in", "cause", "margin",
                      "max");
 }
 
-std::string heading_of_families(std::string_view shape, const Ink& ink) {
-  const int width = 2 + subject_width + 1 + family_width;
+std::string heading_of_families(std::string_view shape, const Columns& columns, const Ink& ink) {
+  const int width = 2 + subject_width(columns) + 1 + family_width;
   const std::string name = fmt::format("{:<{}}", shape, width);
-  return ink.heading(name) + std::string(verdicts_above) +
+  return ink.heading(name) + verdicts_above(columns) +
          fmt::format("{:>11}{:>9}{:>7}{:>7}\n{:<{}}", "main", "wrong to", "ulp", "forced", "",
                      width) +
-         std::string(verdicts_below) +
+         verdicts_below(columns) +
          fmt::format("{:>11}{:>9}{:>7}{:>7}\n", "cause", "margin", "max", "max");
 }
 
@@ -214,7 +256,10 @@ std::string title(const Run& run) {
       text += fmt::format("; {} declared to be a {}", name(static_cast<oracle::Kind>(kind)),
                           stance == Convention::Stance::hit ? "hit" : "miss");
   }
-  return wrapped(text, 0);
+  Convention others = plan.convention;
+  others.stances = {};
+  if (const std::string words = declared(others); !words.empty()) text += "; declared: " + words;
+  return wrapped(text, 0) + write_declared(run.audits);
 }
 
 std::string legend(const Plan& plan, bool each_family) {
@@ -239,8 +284,10 @@ std::string legend(const Plan& plan, bool each_family) {
 
 std::string summary(const Run& run, const Ink& ink) {
   std::uint64_t cases = 0, wrong = 0, holding = 0, valid = 0, by_exact = 0, decided = 0;
+  std::uint64_t unasked = 0;
   for (const auto& [subject, family, shape, tally, most_ulps] : run.audits) {
     cases += tally.cases;
+    unasked += tally.unasked;
     wrong += tally.wrong();
     holding += tally.wrong() == 0;
     valid +=
@@ -255,8 +302,9 @@ std::string summary(const Run& run, const Ink& ink) {
       fmt::format("{}% of {} cases wrong; {} of {} audits hold", share(wrong, cases),
                   grouped(cases), grouped(holding), grouped(run.audits.size()));
   return (wrong == 0 ? ink.good(verdict) : ink.bad(verdict)) +
-         fmt::format("; {} undecided ({}% needed exact numbers)\n", grouped(valid - decided),
-                     share(by_exact, valid));
+         fmt::format("; {} undecided ({}% needed exact numbers){}\n", grouped(valid - decided),
+                     share(by_exact, valid),
+                     unasked == 0 ? "" : fmt::format("; {} not asked", grouped(unasked)));
 }
 
 /// Whether the subjects keep what they are held to; empty where that is nothing.
@@ -277,14 +325,17 @@ std::string write_table(const Run& run, const Look& look) {
   const Ink ink = {look.colour};
   const bool each_family = run.audits.size() <= audits_with_rows;
   const std::vector<Line> all = lines(run.audits, each_family);
+  const Columns columns = columns_of(run.audits);
   std::string text = title(run) + '\n' + legend(run.plan, each_family) + '\n';
   for (const std::size_t shape : run.plan.shapes) {
     std::string rows;
     for (const Line& line : all)
-      if (line.shape == shape) rows += each_family ? row_of_family(line, ink) : row(line, ink);
+      if (line.shape == shape)
+        rows += each_family ? row_of_family(line, columns, ink) : row(line, columns, ink);
     if (rows.empty()) continue;
     const std::string_view name = shape_names[shape];
-    text += (each_family ? heading_of_families(name, ink) : heading(name, ink)) + rows + '\n';
+    text += (each_family ? heading_of_families(name, columns, ink) : heading(name, columns, ink)) +
+            rows + '\n';
   }
   const std::string touches = write_touches(run, ink);
   if (!touches.empty()) text += touches + '\n';

@@ -45,6 +45,8 @@ struct Subject {
   /// Does it answer in a process of its own? It is then asked in order, from one thread, in batches
   /// of batch_elsewhere, and may answer that it crashed; what is found of it is asked again, alone.
   bool is_elsewhere = false;
+  /// What a command line must have for it to be there, as `--plugin ./libmine.so`; or nothing.
+  std::string brought_by = {};
 
   bool answers(std::size_t shape) const { return answer[shape] != nullptr; }
 
@@ -55,7 +57,7 @@ struct Subject {
 /// As many cases are put to a subject elsewhere at once, where there are so many.
 inline constexpr std::size_t batch_elsewhere = 16 * 1024;
 
-/// A subject that cannot answer: its module is missing or breaks off. What is told is a sentence.
+/// A subject that cannot answer: its plugin is missing or breaks off. What is told is a sentence.
 struct NoAnswer : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -9,14 +9,13 @@
 #include "geometry/ray.hpp"
 #include "geometry/shapes.hpp"
 
-/// What program and module must say alike of a routine's twin under other flags.
+/// What program and plugin must say alike of a routine's twin under other flags.
 namespace rayaudit {
 
-/// As in `textbook+native/float`.
-template <class Routine, class N>
+/// As in `textbook+native`; its subject is `textbook+native/float`.
+template <class Routine>
 std::string twin_name(std::string_view flags) {
-  return std::string(Routine::name) + '+' + std::string(flags) + '/' +
-         std::string(format_of<N>.name);
+  return std::string(Routine::name) + '+' + std::string(flags);
 }
 
 template <class Routine, class N, std::size_t shape>

@@ -6,7 +6,8 @@
 #include <system_error>
 
 #include "routines/routines.hpp"
-#include "subjects/module_child.hpp"
+#include "subjects/plugin_child.hpp"
+#include "subjects/plugins.hpp"
 #include "subjects/twin.hpp"
 
 namespace rayaudit {
@@ -14,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* this_program = "/proc/self/exe";
+/// A twin that says nothing for so long hangs.
+constexpr std::chrono::milliseconds twin_patience = std::chrono::seconds(10);
 
 struct Flags {
   std::string_view name, about;
@@ -24,17 +26,18 @@ constexpr std::array all_flags = {Flags{"fast_math", "-O3 -ffast-math"},
 
 std::string file_of(const Flags& flags) { return "rayaudit-" + std::string(flags.name) + ".so"; }
 
-std::optional<fs::path> module_beside(const fs::path& program, const Flags& flags) {
+std::optional<fs::path> plugin_beside(const fs::path& program, const Flags& flags) {
   std::error_code fault;
   const fs::path folder = fs::canonical(program, fault).parent_path();
   for (const fs::path& place : {folder, folder.parent_path() / "lib" / "rayaudit"})
-    if (fs::path module = place / file_of(flags); fs::exists(module, fault)) return module;
+    if (fs::path plugin = place / file_of(flags); fs::exists(plugin, fault)) return plugin;
   return {};
 }
 
 template <class Routine, class N>
-Subject twin_of(const Flags& flags, const std::shared_ptr<ModuleChild>& child) {
-  Subject made = {twin_name<Routine, N>(flags.name), format_of<N>, {}};
+Subject twin_of(const Flags& flags, const std::shared_ptr<PluginChild>& child) {
+  Subject made = {
+      twin_name<Routine>(flags.name) + '/' + std::string(format_of<N>.name), format_of<N>, {}};
   const auto add = [&](std::size_t shape) {
     made.timed[shape] = [child, name = made.name, shape](std::span<const Case> cases,
                                                          std::span<Answer> answers) {
@@ -54,9 +57,9 @@ Subject twin_of(const Flags& flags, const std::shared_ptr<ModuleChild>& child) {
 std::vector<Subject> twins_beside(const fs::path& program) {
   std::vector<Subject> twins;
   for (const Flags& flags : all_flags) {
-    const std::optional<fs::path> module = module_beside(program, flags);
-    if (!module) continue;
-    const auto child = std::make_shared<ModuleChild>(program, *module);
+    const std::optional<fs::path> plugin = plugin_beside(program, flags);
+    if (!plugin) continue;
+    const auto child = std::make_shared<PluginChild>(program, *plugin, twin_patience);
     each_twin(Routines{}, [&]<class Routine, class N>() {
       twins.push_back(twin_of<Routine, N>(flags, child));
     });
@@ -69,7 +72,7 @@ std::vector<Subject> twin_subjects() { return twins_beside(this_program); }
 std::vector<Absent> absent_twins() {
   std::vector<Absent> absent;
   for (const Flags& flags : all_flags)
-    if (!module_beside(this_program, flags))
+    if (!plugin_beside(this_program, flags))
       absent.push_back({"*+" + std::string(flags.name) + "/*", file_of(flags) + ", compiled with " +
                                                                    std::string(flags.about) +
                                                                    ", is not beside the program"});

@@ -12,7 +12,7 @@ namespace {
 
 const std::string small = " --cases 64 --rounds 3 ";
 
-/// The program beside a module that is none.
+/// The program beside a plugin that is none.
 const std::string beside_garbage =
     "mkdir bin; program=$(type rayaudit | grep -o \"'.*'\" | tr -d \"'\")\n"
     "ln \"$program\" bin 2>.ln || cp \"$program\" bin\n"
@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(what_leaves_nothing_to_measure_exits_with_4) {
                      "family draws"));
 }
 
-BOOST_AUTO_TEST_CASE(a_module_that_is_broken_is_a_finding_and_the_others_are_measured) {
+BOOST_AUTO_TEST_CASE(a_plugin_that_is_broken_is_a_finding_and_the_others_are_measured) {
   const auto ended = run(beside_garbage +
                          "bin/rayaudit cost textbook/float textbook+fast_math/float --threads 2 "
                          "--shape sphere,disk --family "
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(a_module_that_is_broken_is_a_finding_and_the_others_are_mea
   BOOST_TEST(contains(ended.out, "\nNot measured: *+native/*: rayaudit-native.so, "), ended);
 }
 
-BOOST_AUTO_TEST_CASE(a_module_that_is_broken_alone_is_a_finding_and_no_mistake) {
+BOOST_AUTO_TEST_CASE(a_plugin_that_is_broken_alone_is_a_finding_and_no_mistake) {
   const auto ended = run(beside_garbage + "bin/rayaudit cost '*+fast_math/float' --shape sphere" +
                          small + "--report json");
   BOOST_TEST(ended.code == 1, ended);

@@ -140,6 +140,35 @@ BOOST_AUTO_TEST_CASE(what_was_declared_is_on_record) {
   BOOST_TEST(report.at("limits").at("wrong_t") == 0.0078125);
 }
 
+BOOST_AUTO_TEST_CASE(what_a_subject_declares_itself_is_on_record) {
+  HandMade made;
+  made.add("textbook/float", 1, "far");
+  made.add("mine/float", 1, "far");
+  made.subjects.back().convention.of(oracle::Kind::rim) = Convention::Stance::hit;
+  made.subjects.back().convention.t_min = 0.5;
+  const auto declared = parsed(made).at("declared");
+  BOOST_TEST(declared.size() == 1);
+  BOOST_TEST(declared.at("mine/float").at("rim") == "hit");
+  BOOST_TEST(declared.at("mine/float").at("t_min") == 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(trouble_of_a_subject_elsewhere_is_on_record) {
+  HandMade made;
+  Tally& tally = made.add("mine/float", 1, "far");
+  turn(tally, Verdict::crashed, Claim::none, 7);
+  tally.unasked = 13;
+  Worst& worst = *tally.outcome(Verdict::crashed, Claim::none).worst;
+  worst.answer = Answer::crashed(11);
+  worst.repeats = false;
+  const auto report = parsed(made);
+  BOOST_TEST(report.at("audits").at(0).at("crashed") == 7);
+  BOOST_TEST(report.at("audits").at(0).at("unasked") == 13);
+  const auto finding = report.at("findings").at(0);
+  BOOST_TEST(finding.at("signal") == "SIGSEGV");
+  BOOST_TEST(finding.at("reproducible") == false);
+  BOOST_TEST(finding.at("example").get<std::string>().ends_with(" crashed"));
+}
+
 BOOST_AUTO_TEST_CASE(the_number_of_threads_leaves_no_trace) {
   HandMade made;
   made.add("textbook/float", 1, "anywhere");

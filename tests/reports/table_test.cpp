@@ -329,6 +329,57 @@ BOOST_AUTO_TEST_CASE(seed_version_convention_and_surroundings_are_on_record) {
   BOOST_TEST(tells(text, "rounding to nearest, no contraction, no flush to zero"));
 }
 
+BOOST_AUTO_TEST_CASE(what_subjects_declare_is_told) {
+  HandMade made;
+  made.add("mine/float", 1, "far");
+  Convention& convention = made.subjects.front().convention;
+  BOOST_TEST(!tells(table(made), "declare"));
+  convention.of(oracle::Kind::rim) = Convention::Stance::miss;
+  convention.inside = Convention::Inside::start;
+  convention.unit_direction = convention.line = true;
+  convention.t_max = 0.1;
+  BOOST_TEST(
+      tells(table(made),
+            "\n  mine/float declares rim=miss,inside=start,direction=unit,ray=line,t_max=0.1\n"));
+  made.plan.convention.inside = Convention::Inside::miss;
+  BOOST_TEST(tells(table(made), "; declared: inside=miss\n"));
+}
+
+BOOST_AUTO_TEST_CASE(crashes_and_time_outs_have_a_column_where_there_are_any) {
+  HandMade made;
+  turn(made.add("mine/float", 1, "far"), Verdict::wrong_t, Claim::none, 1);
+  const std::string before = table(made);
+  BOOST_TEST(!tells(before, "cra-"));
+  BOOST_TEST(!tells(before, "timed"));
+  turn(made.audits[0].tally, Verdict::crashed, Claim::none, 7);
+  BOOST_TEST(tells(table(made), "cra-"));
+  BOOST_TEST(!tells(table(made), "timed"));
+  BOOST_TEST(tells(row(table(made), "mine/float"), "  8.00     -     -     -  1.00     -  7.00"),
+             row(table(made), "mine/float"));
+  turn(made.audits[0].tally, Verdict::timed_out, Claim::none, 20);
+  BOOST_TEST(tells(table(made), "timed"));
+}
+
+BOOST_AUTO_TEST_CASE(a_crash_is_told_with_its_signal_and_whether_it_shows_again) {
+  HandMade made;
+  turn(made.add("mine/float", 1, "far"), Verdict::crashed, Claim::none, 7);
+  made.subjects.front().brought_by = "--plugin './my mine.so'";
+  Worst& worst = *made.audits[0].tally.outcome(Verdict::crashed, Claim::none).worst;
+  worst.answer = Answer::crashed(11);
+  BOOST_TEST(tells(table(made), "ended, killed by SIGSEGV\n"));
+  BOOST_TEST(tells(table(made), "explain --subject mine/float --plugin './my mine.so' 'sphere "));
+  worst.repeats = false;
+  BOOST_TEST(tells(table(made), "killed by SIGSEGV; not reproducible: "));
+}
+
+BOOST_AUTO_TEST_CASE(cases_that_were_not_asked_are_told) {
+  HandMade made;
+  Tally& tally = made.add("mine/float", 1, "far");
+  BOOST_TEST(!tells(table(made), "not asked"));
+  tally.unasked = 1234;
+  BOOST_TEST(tells(table(made), "; 1,234 not asked\n"));
+}
+
 BOOST_AUTO_TEST_CASE(every_report_is_in_the_list_and_ends_its_last_line) {
   HandMade made;
   made.add("textbook/float", 1, "far");

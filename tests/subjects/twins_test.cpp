@@ -145,16 +145,16 @@ BOOST_AUTO_TEST_CASE(our_own_arithmetic_stays_as_it_was) {
   BOOST_TEST(least * 1.0 != 0);
 }
 
-BOOST_AUTO_TEST_CASE(a_module_shows_its_entry_and_nothing_else) {
+BOOST_AUTO_TEST_CASE(a_plugin_shows_its_entry_and_nothing_else) {
   const std::filesystem::path folder =
       std::filesystem::path(from_environment("RAYAUDIT")).parent_path();
   for (const std::string flags : {"fast_math", "native"}) {
-    const std::string module = (folder / ("rayaudit-" + flags + ".so")).string();
-    std::FILE* const symbols = popen(("nm -D --defined-only '" + module + "'").c_str(), "r");
+    const std::string plugin = (folder / ("rayaudit-" + flags + ".so")).string();
+    std::FILE* const symbols = popen(("nm -D --defined-only '" + plugin + "'").c_str(), "r");
     std::string text(1000, '\0');
     text.resize(std::fread(text.data(), 1, text.size(), symbols));
     pclose(symbols);
-    BOOST_TEST(text.ends_with(" T rayaudit_module\n"), text);
+    BOOST_TEST(text.ends_with(" T rayaudit_plugin_entry\n"), text);
     BOOST_TEST(std::count(text.begin(), text.end(), '\n') == 1, text);
   }
 }

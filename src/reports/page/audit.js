@@ -175,6 +175,7 @@ function cell_findings(here, audit) {
       `at most ${magnitude(audit.forced?.[2])} times what the case forces.`
     : "No error of t was measured: there was no hit at the right root.";
   const touches = audit.counts.touch ? ` Touches, a matter of convention: ${grouped(audit.counts.touch)}.` : "";
+  const declared = audit.subject.declares ? ` It declares ${audit.subject.declares}.` : "";
   const findings = audit.outcomes.map(([verdict, claim, count, margin, line, cause]) => ({
     words: `${spaced(report.verdicts[verdict])}: ${report.verdict_words[verdict]}${report.claim_words[claim]}`,
     detail: `${grouped(count)} of ${grouped(audit.cases)}; ${margin == null ? "" : `margin up to ${magnitude(margin)} u; `}cause: ${cause}`,
@@ -187,7 +188,7 @@ function cell_findings(here, audit) {
   if (items.length) items[0].draw();
   return [
     title,
-    element("p", {}, `${family.about.charAt(0).toUpperCase()}${family.about.slice(1)}. ${audit.wrong ? some : none} ${errors}${touches}`),
+    element("p", {}, `${family.about.charAt(0).toUpperCase()}${family.about.slice(1)}. ${audit.wrong ? some : none} ${errors}${touches}${declared}`),
     picture,
     element("ol", { class: "findings" }, items.map(({ item }) => item)),
   ];
@@ -214,7 +215,8 @@ function explain_command(report, subject, line) {
   const quoted = (word) => (/^[\w./:+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
   const declared = Object.entries(report.convention).filter(([, stance]) => stance !== "either");
   const convention = declared.length ? ` --convention ${declared.map((pair) => pair.join("=")).join(",")}` : "";
-  return `rayaudit explain --subject ${quoted(subject)}${convention} '${line}'`;
+  const brought = report.subjects.find(({ name }) => name === subject)?.brought_by;
+  return `rayaudit explain --subject ${quoted(subject)}${brought ? ` ${brought}` : ""}${convention} '${line}'`;
 }
 
 // Curves and histograms: several subjects, one shape, one family or all.

@@ -1,0 +1,155 @@
+#include "subjects/plugins.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+#include "geometry/error.hpp"
+#include "geometry/quotation.hpp"
+#include "geometry/unknown_name.hpp"
+#include "subjects/plugin_child.hpp"
+#include "subjects/unbroken.hpp"
+
+namespace rayaudit {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array formats = {float_format, double_format, long_double_format};
+
+/// A mistake in what a plugin says of a subject.
+Error mistake(const PluginSubject& subject, const std::string& what) {
+  return Error("has a subject " + quotation(subject.name) + ": " + what);
+}
+
+const Format& format_of_name(const PluginSubject& subject) {
+  const std::string_view name = subject.format;
+  const auto found = std::find_if(formats.begin(), formats.end(),
+                                  [&](const Format& format) { return format.name == name; });
+  if (found != formats.end()) return *found;
+  std::array<std::string_view, formats.size()> known;
+  std::transform(formats.begin(), formats.end(), known.begin(),
+                 [](const Format& format) { return format.name; });
+  throw mistake(subject, unknown_name("format", name, known));
+}
+
+Convention::Stance stance(const PluginSubject& subject, const char* towards, std::int32_t value) {
+  if (value < RAYAUDIT_EITHER || value > RAYAUDIT_IS_MISS)
+    throw mistake(subject, std::string("its convention has ") + std::to_string(value) + " for " +
+                               towards + ", which is no rayaudit_stance (0, 1 or 2)");
+  return Convention::Stance{static_cast<std::uint8_t>(value)};
+}
+
+std::string figure(double x) {
+  std::string text(32, '\0');
+  text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%g", x)));
+  return text;
+}
+
+Convention convention_of(const PluginSubject& subject) {
+  using oracle::Kind;
+  const rayaudit_convention& said = subject.convention;
+  Convention made;
+  made.of(Kind::tangent) = stance(subject, "tangent", said.tangent);
+  made.of(Kind::rim) = stance(subject, "rim", said.rim);
+  made.of(Kind::apex) = stance(subject, "apex", said.apex);
+  made.of(Kind::start) = stance(subject, "start", said.start);
+  made.of(Kind::end) = stance(subject, "end", said.end);
+  made.of(Kind::within) = stance(subject, "within", said.within);
+  if (said.inside < RAYAUDIT_INSIDE_IS_HIT || said.inside > RAYAUDIT_INSIDE_IS_START)
+    throw mistake(subject, "its convention has " + std::to_string(said.inside) +
+                               " for inside, which is no rayaudit_inside (0, 1 or 2)");
+  made.inside = Convention::Inside{static_cast<std::uint8_t>(said.inside)};
+  made.unit_direction = said.unit_direction != 0;
+  made.line = said.line != 0;
+  if (said.t_min == 0 && said.t_max == 0) return made;
+  if (!(said.t_min < said.t_max))
+    throw mistake(subject, "its convention has the empty range from " + figure(said.t_min) +
+                               " to " + figure(said.t_max) + " for t");
+  made.t_min = said.t_min, made.t_max = said.t_max;
+  return made;
+}
+
+void require_word(const PluginSubject& subject) {
+  const std::string_view name = subject.name;
+  const auto is_plain = [](char letter) {
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
+           std::string_view("_+-.").find(letter) != std::string_view::npos;
+  };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), is_plain))
+    throw mistake(subject, "a name is one word of letters, digits and `_`, `+`, `-`, `.`");
+}
+
+void require_shape(const PluginSubject& subject) {
+  if (std::none_of(std::begin(subject.answers), std::end(subject.answers),
+                   [](bool answers) { return answers; }))
+    throw mistake(subject, "it answers no shape: disk, sphere, cylinder and cone are all null");
+}
+
+/// A subject in a child of its own.
+Subject subject_of(const PluginSubject& said, const fs::path& program, const fs::path& plugin,
+                   std::chrono::milliseconds patience) {
+  require_word(said);
+  require_shape(said);
+  Subject made = {std::string(said.name) + '/' + said.format, format_of_name(said), {}};
+  made.convention = convention_of(said);
+  made.is_elsewhere = true;
+  const auto child = std::make_shared<PluginChild>(program, plugin, patience);
+  for (std::size_t shape = 0; shape < shape_count; ++shape) {
+    if (!said.answers[shape]) continue;
+    const auto unbroken = std::make_shared<Unbroken>(
+        [child, name = made.name, shape](std::span<const Case> cases, std::span<Answer> answers,
+                                         Manner manner) {
+          return child->ask(name, shape, cases, answers, manner);
+        },
+        patience);
+    made.answer[shape] = [unbroken](std::span<const Case> cases, std::span<Answer> answers) {
+      unbroken->answer(cases, answers);
+    };
+    made.timed[shape] = [child, name = made.name, shape](std::span<const Case> cases,
+                                                         std::span<Answer> answers) {
+      return child->answer(name, shape, cases, answers);
+    };
+  }
+  return made;
+}
+
+std::vector<PluginSubject> said_by(const fs::path& program, const fs::path& plugin,
+                                   std::chrono::milliseconds patience) {
+  std::error_code fault;
+  const fs::file_status status = fs::status(plugin, fault);
+  if (!fs::exists(status)) throw Error("cannot be read: " + fault.message());
+  if (fs::is_directory(status)) throw Error("is a folder, and no shared object");
+  try {
+    return PluginChild(program, fs::absolute(plugin), patience).subjects();
+  } catch (const PluginChild::Unloaded& why) {
+    throw Error(why.sentence);
+  }
+}
+
+void require_different(const std::vector<Subject>& subjects) {
+  for (auto subject = subjects.begin(); subject != subjects.end(); ++subject)
+    if (std::any_of(subjects.begin(), subject,
+                    [&](const Subject& before) { return before.name == subject->name; }))
+      throw Error("has two subjects of the name " + quotation(subject->name));
+}
+
+}  // namespace
+
+std::vector<Subject> plugin_subjects(const fs::path& plugin, std::chrono::milliseconds patience,
+                                     const fs::path& program) {
+  try {
+    std::vector<Subject> subjects;
+    for (const PluginSubject& said : said_by(program, plugin, patience))
+      subjects.push_back(subject_of(said, program, fs::absolute(plugin), patience));
+    require_different(subjects);
+    return subjects;
+  } catch (const Error& what) {
+    throw Error("plugin `" + plugin.string() + "` " + what.what());
+  }
+}
+
+}  // namespace rayaudit
