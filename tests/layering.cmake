@@ -23,7 +23,7 @@ set(top_level src oracle tests data)
 set(forbidden utils common helpers misc base core impl manager handler data info process do)
 set(exact_library "^(CGAL/|gmp|mpfr|boost/multiprecision/(gmp|mpfr|mpfi))")
 set(exact_integer "^boost/multiprecision/(cpp_int|tommath)")  # tests may count with these
-set(may_be_exact "^(oracle|tests/oracle|src/subjects/libraries)/")
+set(may_be_exact "^(oracle|tests/oracle|tests/field_defects|src/subjects/libraries)/")
 
 # The layer that a file belongs to, empty for tests.
 function(layer_of file result)

@@ -6,7 +6,6 @@
 
 #include "audit/minimise.hpp"
 #include "audit/on_threads.hpp"
-#include "oracle/replay/replay.hpp"
 
 namespace rayaudit {
 namespace {
@@ -112,7 +111,7 @@ Diagnosis diagnosis_of(const Plan& plan, const Audit& audit, const Case& questio
   std::optional<double> most_ulps;
   if (!is_wrong(judgement.verdict)) most_ulps = audit.most_ulps.value_or(judgement.ulps / 2);
   return diagnosis({settled, answer, judgement, most_ulps}, *audit.subject,
-                   replay::replay_of(audit.subject->name), convention_of(plan, *audit.subject));
+                   plan.replay_of(audit.subject->name), convention_of(plan, *audit.subject));
 }
 
 /// One subject's part in a chunk.
@@ -126,7 +125,7 @@ struct Part {
 
   Part(const Plan& plan, const Audit& of)
       : audit(of),
-        replay(replay::replay_of(of.subject->name)),
+        replay(plan.replay_of(of.subject->name)),
         convention(convention_of(plan, *of.subject)) {}
 
   /// The margin of a case in u of the subject's format; NaN for an invalid one, and where it would

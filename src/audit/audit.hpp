@@ -4,11 +4,13 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "audit/bound.hpp"
 #include "audit/tally.hpp"
 #include "families/family.hpp"
+#include "oracle/replay/replay.hpp"
 #include "subjects/subject.hpp"
 
 namespace rayaudit {
@@ -35,6 +37,8 @@ struct Plan {
   /// margins are wanted.
   bool causes = true;
   int threads = 0;  ///< 0: one for each processor
+  /// The replay of a subject by its name, null where it has none.
+  std::function<const replay::Replay*(std::string_view)> replay_of = replay::replay_of;
   /// Only the chunks i with i % shards == shard are run: the same cases whoever runs the others.
   std::uint64_t shard = 0, shards = 1;
 };

@@ -20,7 +20,7 @@ class Failure {
       : subject_(*audit.subject),
         drawn_in_(plan.drawn_in ? *plan.drawn_in : subject_.drawn_in()),
         convention_(convention_of(plan, subject_)),
-        replay_(replay::replay_of(subject_.name)),
+        replay_(plan.replay_of(subject_.name)),
         bits_(oracle::bits_for(subject_.format)),
         found_(worst),
         invalid_(oracle::truth(worst.question, bits_).invalid),

@@ -302,8 +302,8 @@ std::optional<Changed> elsewhere_in_range(const Case& question, const Format& fo
   return scaled_by(question, by, 0, format);
 }
 
-constexpr std::string_view moderate_products =
-    "numbers whose products neither overflow nor underflow";
+/// Neither a product nor t then overflows, underflows or is lost beside an epsilon.
+constexpr std::string_view moderate_numbers = "numbers of moderate size";
 constexpr std::string_view other_roundings = "how it is rounded";
 
 /// Tried in this order: what comes first is told.
@@ -312,11 +312,11 @@ constexpr std::array list = {
     Transformation{"the length of the direction", longer_direction, Shows::to_the_bit},
     Transformation{"the length of the normal", longer_normal, Shows::to_the_bit},
     Transformation{"the unit of length", larger, Shows::to_the_bit},
-    Transformation{moderate_products, of_moderate_size<true, false>, Shows::by_mending},
-    Transformation{moderate_products, of_moderate_size<false, true>, Shows::by_mending},
-    Transformation{moderate_products, of_moderate_size<true, true>, Shows::by_mending},
-    Transformation{moderate_products, elsewhere_in_range<40>, Shows::by_mending},
-    Transformation{moderate_products, elsewhere_in_range<-40>, Shows::by_mending},
+    Transformation{moderate_numbers, of_moderate_size<true, false>, Shows::by_mending},
+    Transformation{moderate_numbers, of_moderate_size<false, true>, Shows::by_mending},
+    Transformation{moderate_numbers, of_moderate_size<true, true>, Shows::by_mending},
+    Transformation{moderate_numbers, elsewhere_in_range<40>, Shows::by_mending},
+    Transformation{moderate_numbers, elsewhere_in_range<-40>, Shows::by_mending},
     Transformation{"the length of the direction", unit_direction, Shows::only_afar},
     Transformation{"", unit_and_longer<unit_direction, longer_direction>, Shows::control},
     Transformation{"the length of the normal", unit_normal, Shows::only_afar},

@@ -65,7 +65,7 @@ Json list(const List& of) {
 /// until it is told.
 Json settings(const Plan& plan, const std::string& version) {
   const auto& [subjects, families, shapes, cases, seed, difficulty, convention, bounds, thorough,
-               drawn_in, causes, threads, shard, shards] = plan;
+               drawn_in, causes, threads, replay_of, shard, shards] = plan;
   Json of_subjects = Json::array(), of_families = Json::array(), of_shapes = Json::array();
   for (const Subject* subject : subjects) of_subjects.push_back(told(*subject));
   for (const Family* family : families) of_families.push_back(family->id);

@@ -104,7 +104,8 @@ Asked PluginChild::ask(const std::string& subject, std::size_t shape, std::span<
   PluginRequest request = {{}, shape, cases.size(), manner == Manner::one_by_one};
   subject.copy(request.subject, sizeof request.subject - 1);
   std::vector<rayaudit_case> flat_cases(cases.size());
-  std::transform(cases.begin(), cases.end(), flat_cases.begin(), flat);
+  std::transform(cases.begin(), cases.end(), flat_cases.begin(),
+                 [](const Case& question) { return flat(question); });
   Asked asked;
   try {
     send(&request, sizeof request);

@@ -139,6 +139,15 @@ void require_different(const std::vector<Subject>& subjects) {
 
 }  // namespace
 
+std::optional<fs::path> plugin_beside(const fs::path& program, std::string_view name) {
+  const std::string file = "rayaudit-" + std::string(name) + ".so";
+  std::error_code fault;
+  const fs::path folder = fs::canonical(program, fault).parent_path();
+  for (const fs::path& place : {folder, folder.parent_path() / "lib" / "rayaudit"})
+    if (fs::path plugin = place / file; fs::exists(plugin, fault)) return plugin;
+  return {};
+}
+
 std::vector<Subject> plugin_subjects(const fs::path& plugin, std::chrono::milliseconds patience,
                                      const fs::path& program) {
   try {

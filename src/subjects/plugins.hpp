@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "subjects/subject.hpp"
@@ -13,6 +15,10 @@ inline constexpr const char* this_program = "/proc/self/exe";
 
 /// How long a plugin may take for a batch, where nothing else is asked for.
 inline constexpr std::chrono::milliseconds plugin_patience = std::chrono::seconds(2);
+
+/// The plugin rayaudit-NAME.so beside the program, or where it is installed.
+std::optional<std::filesystem::path> plugin_beside(const std::filesystem::path& program,
+                                                   std::string_view name);
 
 /// The subjects of a shared object that defines rayaudit_plugin_entry (rayaudit/plugin.h), each in
 /// a child process of its own, named `name/format`; they hold that child for as long as they live.

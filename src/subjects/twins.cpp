@@ -3,7 +3,6 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <system_error>
 
 #include "routines/routines.hpp"
 #include "subjects/plugin_child.hpp"
@@ -25,14 +24,6 @@ constexpr std::array all_flags = {Flags{"fast_math", "-O3 -ffast-math"},
                                   Flags{"native", "-O3 -march=native -ffp-contract=fast"}};
 
 std::string file_of(const Flags& flags) { return "rayaudit-" + std::string(flags.name) + ".so"; }
-
-std::optional<fs::path> plugin_beside(const fs::path& program, const Flags& flags) {
-  std::error_code fault;
-  const fs::path folder = fs::canonical(program, fault).parent_path();
-  for (const fs::path& place : {folder, folder.parent_path() / "lib" / "rayaudit"})
-    if (fs::path plugin = place / file_of(flags); fs::exists(plugin, fault)) return plugin;
-  return {};
-}
 
 template <class Routine, class N>
 Subject twin_of(const Flags& flags, const std::shared_ptr<PluginChild>& child) {
@@ -57,7 +48,7 @@ Subject twin_of(const Flags& flags, const std::shared_ptr<PluginChild>& child) {
 std::vector<Subject> twins_beside(const fs::path& program) {
   std::vector<Subject> twins;
   for (const Flags& flags : all_flags) {
-    const std::optional<fs::path> plugin = plugin_beside(program, flags);
+    const std::optional<fs::path> plugin = plugin_beside(program, flags.name);
     if (!plugin) continue;
     const auto child = std::make_shared<PluginChild>(program, *plugin, twin_patience);
     each_twin(Routines{}, [&]<class Routine, class N>() {
@@ -72,7 +63,7 @@ std::vector<Subject> twin_subjects() { return twins_beside(this_program); }
 std::vector<Absent> absent_twins() {
   std::vector<Absent> absent;
   for (const Flags& flags : all_flags)
-    if (!plugin_beside(this_program, flags))
+    if (!plugin_beside(this_program, flags.name))
       absent.push_back({"*+" + std::string(flags.name) + "/*", file_of(flags) + ", compiled with " +
                                                                    std::string(flags.about) +
                                                                    ", is not beside the program"});
