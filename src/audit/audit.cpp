@@ -389,6 +389,7 @@ void conclude(const Plan& plan, std::vector<Audit>& audits) {
   std::erase_if(audits, [](const Audit& audit) { return audit.tally.cases == 0; });
   if (!plan.causes) return;
   std::vector<const Subject*> subjects;
+  subjects.reserve(audits.size());
   for (const Audit& audit : audits) subjects.push_back(audit.subject);
   in_turn(plan.threads, subjects, [&](std::size_t i) { look_into_worst(plan, audits[i]); });
   minimise(plan, audits);

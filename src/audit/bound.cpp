@@ -61,9 +61,8 @@ void require_known(std::string_view what, const std::string& pattern, const List
     throw Error(unknown_name(what, pattern, known));
 }
 
-void require_known_names(const Bound& bound) {
-  std::vector<std::string_view> subjects, ids;
-  for (const Subject& subject : all_subjects()) subjects.push_back(subject.name);
+void require_known_names(const Bound& bound, std::span<const std::string_view> subjects) {
+  std::vector<std::string_view> ids;
   for (const Family& family : families()) ids.push_back(family.id);
   require_known("subject", bound.subject, subjects);
   require_known("shape", bound.shape, shape_names);
@@ -107,7 +106,8 @@ std::vector<Limit> read_limits(std::span<const std::string> words) {
   return limits;
 }
 
-Bound read_bound(const std::vector<std::string>& words) {
+Bound read_bound(const std::vector<std::string>& words,
+                 std::span<const std::string_view> subjects) {
   if (words.size() < 4)
     throw Error(
         "expected SUBJECT SHAPE FAMILY, then limits with their values, then `proved` or "
@@ -115,7 +115,7 @@ Bound read_bound(const std::vector<std::string>& words) {
   if (words.back() != "proved" && words.back() != "observed")
     throw Error("expected `proved` or `observed` at the end, got " + quotation(words.back()));
   Bound bound = {words[0], words[1], words[2], {}, words.back() == "proved"};
-  require_known_names(bound);
+  require_known_names(bound, subjects);
   bound.limits = read_limits(std::span(words).subspan(3, words.size() - 4));
   return bound;
 }
@@ -209,7 +209,17 @@ bool Bound::is_about(const Audit& audit) const {
          matches(family, audit.family->id);
 }
 
-std::vector<Bound> read_bounds(std::string_view text, const std::string& file) {
+std::span<const std::string_view> subject_names() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> made;
+    for (const Subject& subject : all_subjects()) made.push_back(subject.name);
+    return made;
+  }();
+  return names;
+}
+
+std::vector<Bound> read_bounds(std::string_view text, const std::string& file,
+                               std::span<const std::string_view> subjects) {
   std::vector<Bound> bounds;
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -218,7 +228,7 @@ std::vector<Bound> read_bounds(std::string_view text, const std::string& file) {
     if (words.empty()) continue;
     const std::string place = file + ":" + std::to_string(number);
     try {
-      bounds.push_back(read_bound(words));
+      bounds.push_back(read_bound(words, subjects));
     } catch (const Error& fault) {
       throw Error(place + ": " + fault.what());
     }

@@ -31,6 +31,9 @@ struct Limit {
   friend bool operator==(const Limit&, const Limit&) = default;
 };
 
+/// The names of all subjects there are.
+std::span<const std::string_view> subject_names();
+
 /// A promise that subjects are held to: one row of a file.
 struct Bound {
   std::string subject, shape, family;  ///< names, or globs for many
@@ -42,8 +45,10 @@ struct Bound {
 };
 
 /// Reads `SUBJECT SHAPE FAMILY LIMIT VALUE ... proved|observed` from each line of a file that is no
-/// comment and not blank. Throws Error with file and line where it cannot.
-std::vector<Bound> read_bounds(std::string_view text, const std::string& file);
+/// comment and not blank. Throws Error with file and line where it cannot, or a name is none of
+/// those of the subjects.
+std::vector<Bound> read_bounds(std::string_view text, const std::string& file,
+                               std::span<const std::string_view> subjects = subject_names());
 
 /// Does any of the bounds speak of the audit?
 bool is_named(const Audit& audit, const std::vector<Bound>& bounds);

@@ -148,6 +148,7 @@ void minimise(const Plan& plan, std::vector<Audit>& audits) {
     return each.worst->answer.form != Answer::Form::crashed;
   });
   std::vector<const Subject*> subjects;
+  subjects.reserve(examples.size());
   for (const Example& each : examples) subjects.push_back(each.audit->subject);
   in_turn(plan.threads, subjects, [&](std::size_t i) {
     examples[i].worst->minimal = minimal(plan, *examples[i].audit, *examples[i].worst);

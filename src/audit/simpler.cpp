@@ -92,7 +92,8 @@ class Steps {
   void change_vectors();
   void change_axes();
   void move();
-  void scale();
+  void scale_all();
+  void scale_vectors();
   void round_all();
   std::vector<Case> sorted();
 
@@ -246,50 +247,56 @@ int exponent_of(const Vec3<double>& v) {
   return is_number(size) ? std::ilogb(size) : 0;
 }
 
-/// By powers of two: the world, with its ray or without, and vectors.
-void Steps::scale() {
-  const auto by = [](Vec3<double>& v, int e) {
-    v = {std::ldexp(v.x, e), std::ldexp(v.y, e), std::ldexp(v.z, e)};
-  };
-  const auto scale_direction = [=](Case& made, int e) {
-    by(made.ray.direction, e);
-    for (double* t : {&made.ray.t_min, &made.ray.t_max}) *t = std::ldexp(*t, -e);
-  };
-  const auto world = [=](Numbers& of, int e) {
-    for (Vec3<double>* each : of.points) by(*each, e);
-    *of.lengths[0] = std::ldexp(*of.lengths[0], e);
+void scale(Vec3<double>& v, int e) {
+  v = {std::ldexp(v.x, e), std::ldexp(v.y, e), std::ldexp(v.z, e)};
+}
+
+void scale_range(Ray<double>& ray, int e) {
+  for (double* t : {&ray.t_min, &ray.t_max}) *t = std::ldexp(*t, e);
+}
+
+void scale_world(Numbers& of, int e) {
+  for (Vec3<double>* each : of.points) scale(*each, e);
+  *of.lengths[0] = std::ldexp(*of.lengths[0], e);
+}
+
+/// By powers of two, the world: with the direction of its ray, or with what t counts.
+void Steps::scale_all() {
+  const auto with_direction = [this](int e) {
+    add([=](Case&, Numbers& of) {
+      scale_world(of, e);
+      scale(*of.vectors[0], e);
+      return true;
+    });
   };
   Case copy = question_;
   const double radius = *Numbers(copy).lengths[0];
   if (is_number(radius)) {
     const int to_one = -std::ilogb(radius);
-    add([&](Case&, Numbers& of) {
-      world(of, to_one);
-      by(*of.vectors[0], to_one);
-      return true;
-    });
-    add([&](Case& made, Numbers& of) {
-      world(of, to_one);
-      for (double* t : {&made.ray.t_min, &made.ray.t_max}) *t = std::ldexp(*t, to_one);
+    with_direction(to_one);
+    add([=](Case& made, Numbers& of) {
+      scale_world(of, to_one);
+      scale_range(made.ray, to_one);
       return true;
     });
   }
+  for (const int e : {1, -1}) with_direction(e);
+}
+
+/// By powers of two, the vectors.
+void Steps::scale_vectors() {
   for (const int e : {-exponent_of(question_.ray.direction), 1, -1})
-    add([&](Case& made, Numbers&) {
-      scale_direction(made, e);
+    add([=](Case& made, Numbers&) {
+      scale(made.ray.direction, e);
+      scale_range(made.ray, -e);
       return true;
     });
-  for (const int e : {1, -1}) {
-    add([&](Case&, Numbers& of) {
-      world(of, e);
-      by(*of.vectors[0], e);
-      return true;
-    });
-  }
-  if (Numbers(copy).vectors.size() < 2) return;
-  for (const int e : {-exponent_of(*Numbers(copy).vectors[1]), 1, -1})
-    add([&](Case&, Numbers& of) {
-      by(*of.vectors[1], e);
+  Case copy = question_;
+  const Numbers numbers(copy);
+  if (numbers.vectors.size() < 2) return;
+  for (const int e : {-exponent_of(*numbers.vectors[1]), 1, -1})
+    add([=](Case&, Numbers& of) {
+      scale(*of.vectors[1], e);
       return true;
     });
 }
@@ -371,7 +378,8 @@ std::vector<Case> simpler(const Case& question, const Format& format) {
   steps.change_vectors();
   steps.change_axes();
   steps.move();
-  steps.scale();
+  steps.scale_all();
+  steps.scale_vectors();
   steps.round_all();
   return steps.sorted();
 }

@@ -19,6 +19,7 @@ struct Simplicity {
   int size = 0;   ///< of all exponents, by how far they are from 0
   int signs = 0;  ///< numbers below 0, a -0 too
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the 0 of orderings for a pointer.
   friend auto operator<=>(const Simplicity&, const Simplicity&) = default;
 };
 Simplicity simplicity(const Case& question);

@@ -50,7 +50,10 @@ std::string seen(const Broken& broken) {
 std::vector<Bound> read_bounds_file(const std::string& path,
                                     const std::vector<const Subject*>& subjects) {
   LineFile file(path);
-  std::vector<Bound> bounds = read_bounds(text_of(file), file.name());
+  std::vector<std::string_view> names;
+  names.reserve(subjects.size());
+  for (const Subject* subject : subjects) names.push_back(subject->name);
+  std::vector<Bound> bounds = read_bounds(text_of(file), file.name(), names);
   if (bounds.empty()) throw NothingAudited(file.name() + " has no row: nobody is held to anything");
   const std::vector<Audit> audits = every_audit(subjects);
   for (const Bound& bound : bounds)

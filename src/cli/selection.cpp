@@ -40,6 +40,8 @@ void require_present(const std::vector<std::string>& patterns) {
 }
 
 Subjects::Subjects(const SubjectChoice& choice) {
+  if (choice.patience && !choice.brings_any())
+    throw Error("--patience goes with --plugin or --program");
   for (const std::string& file : choice.plugins)
     add(plugin_subjects(file, choice.patience.value_or(plugin_patience)),
         "--plugin " + quoted(file));
@@ -72,6 +74,10 @@ std::vector<const Subject*> Subjects::selected(const SubjectChoice& choice) cons
   for (const std::string& pattern : asked)
     for (const std::size_t i : rayaudit::selected("subject", {pattern}, names_of(all_)))
       if (reaches(pattern, all_, *all_[i])) chosen[i] = true;
+  // What is brought along is audited beside the others, unless names choose of it.
+  const auto brought_end = chosen.begin() + static_cast<std::ptrdiff_t>(brought_.size());
+  if (std::find(chosen.begin(), brought_end, true) == brought_end)
+    std::fill(chosen.begin(), brought_end, true);
   std::vector<const Subject*> subjects;
   for (std::size_t i = 0; i < all_.size(); ++i)
     if (chosen[i]) subjects.push_back(all_[i]);

@@ -43,9 +43,9 @@ class Subjects {
   const std::vector<const Subject*>& all() const { return all_; }
 
   /// The subjects that an audit of the choice has: without names, those that it brings along, else
-  /// those of every audit. A glob stands for these too; where it matches none of them, for any
-  /// subject there is. Throws Error where a name is not known, NothingAudited where a glob matches
-  /// nothing.
+  /// those of every audit; with names of others, those that it brings along too. A glob stands for
+  /// these too; where it matches none of them, for any subject there is. Throws Error where a name
+  /// is not known, NothingAudited where a glob matches nothing.
   std::vector<const Subject*> selected(const SubjectChoice& choice) const;
   /// The same, but that of what is not brought along every subject counts as one of every audit.
   std::vector<const Subject*> selected_of_all(const SubjectChoice& choice) const;

@@ -1,10 +1,9 @@
 #include "geometry/case_line.hpp"
 
-#include <locale.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <clocale>
 #include <cstdint>
 #include <cstdlib>
 

@@ -54,7 +54,7 @@ std::string got(const Answer& answer, const Format& format) {
 /// The exact t, rounded to the format; of a stretch both ends.
 template <class N>
 std::string t_in(const Case& question, const Crossing& crossing) {
-  const std::string t = spelled(oracle::rounded<N>(question, crossing));
+  std::string t = spelled(oracle::rounded<N>(question, crossing));
   if (crossing.kind != Kind::within) return t;
   return t + " to " + spelled(oracle::rounded_last<N>(question, crossing));
 }

@@ -22,7 +22,7 @@ constexpr std::array formats = {float_format, double_format, long_double_format}
 
 /// A mistake in what a plugin says of a subject.
 Error mistake(const PluginSubject& subject, const std::string& what) {
-  return Error("has a subject " + quotation(subject.name) + ": " + what);
+  return Error{"has a subject " + quotation(subject.name) + ": " + what};
 }
 
 const Format& format_of_name(const PluginSubject& subject) {

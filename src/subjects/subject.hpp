@@ -55,7 +55,7 @@ struct Subject {
 };
 
 /// As many cases are put to a subject elsewhere at once, where there are so many.
-inline constexpr std::size_t batch_elsewhere = 16 * 1024;
+inline constexpr std::size_t batch_elsewhere = 16'384;
 
 /// A subject that cannot answer: its plugin is missing or breaks off. What is told is a sentence.
 struct NoAnswer : std::runtime_error {

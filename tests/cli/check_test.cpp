@@ -127,7 +127,9 @@ BOOST_AUTO_TEST_CASE(nothing_to_check_is_told) {
       folder.run("rayaudit check b.txt --subject division_free/double") ==
       refused(4, "nothing was checked: no chosen subject answers the shapes of these cases"));
   BOOST_TEST(folder.run("rayaudit check b.txt") ==
-             refused(2, "check: name what to check, as in --subject 'textbook/*'"));
+             refused(2,
+                     "check: name what to check, as in --subject 'textbook/*' or "
+                     "--plugin ./libmine.so"));
   BOOST_TEST(folder.run("rayaudit check").code == 2);
   BOOST_TEST(contains(folder.run("rayaudit check no.txt --subject textbook/double").err,
                       "`no.txt` cannot be read"));
