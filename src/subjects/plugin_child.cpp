@@ -27,15 +27,17 @@ constexpr std::chrono::milliseconds least_to_load = std::chrono::seconds(5);
 /// How often a child that says nothing is looked after.
 constexpr std::chrono::milliseconds between_looks(50);
 
-/// Starts the program in a group of its own with nothing of ours but standard error; its standard
-/// input is the socket.
-int spawn(const char* program, const char* plugin, int socket, pid_t& child) {
+/// Starts the program in a group of its own with nothing of ours but standard error, or not even
+/// that; its standard input is the socket.
+int spawn(const char* program, const char* plugin, int socket, bool is_silent, pid_t& child) {
   posix_spawn_file_actions_t actions;
   posix_spawnattr_t attributes;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, socket, STDIN_FILENO);
   // What a plugin prints is neither an answer nor a report.
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  if (is_silent)
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
   sigset_t none;
   sigemptyset(&none);
@@ -117,6 +119,7 @@ Asked PluginChild::ask(const std::string& subject, std::size_t shape, std::span<
                    refusal.sentence);
   } catch (const Broken& broken) {
     end();
+    has_broken_ = true;
     asked.end = broken.end;
     asked.signal = broken.signal;
     asked.sentence = broken.sentence;
@@ -157,7 +160,7 @@ void PluginChild::start() {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     throw Unloaded{std::string("cannot be reached: ") + std::strerror(errno)};
-  const int fault = spawn(program_.c_str(), plugin_.c_str(), ends[1], child_);
+  const int fault = spawn(program_.c_str(), plugin_.c_str(), ends[1], has_broken_, child_);
   close(ends[1]);
   socket_ = ends[0];
   if (fault != 0) {

@@ -86,6 +86,8 @@ class PluginChild {
   std::mutex mutex_;
   pid_t child_ = 0;
   int socket_ = -1;
+  /// Did a child break off? What the next ones say on standard error is not passed on.
+  bool has_broken_ = false;
   std::chrono::milliseconds patience_now_ = {};
   std::vector<PluginSubject> subjects_;
   std::map<std::string, std::string> broken_;  ///< subjects, and what happened to them

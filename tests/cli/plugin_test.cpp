@@ -117,6 +117,12 @@ BOOST_AUTO_TEST_CASE(a_crash_is_told_with_its_signal_and_the_command_that_shows_
       shown);
 }
 
+BOOST_AUTO_TEST_CASE(what_a_plugin_says_as_it_dies_is_passed_on_once) {
+  const auto ended = audited("always_complains/double", "--family anywhere --cases 500");
+  BOOST_TEST(first_audit(ended).at("crashed") == 16);
+  BOOST_TEST(ended.err == "planted complaint\n");
+}
+
 BOOST_AUTO_TEST_CASE(garbage_is_told_as_such) {
   const auto told = run("rayaudit explain --plugin " + plugin("misbehaving") +
                         " --subject formless/double sphere 0 0 0 1 ray 13 0 0 1 0 0");

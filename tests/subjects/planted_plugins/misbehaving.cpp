@@ -34,6 +34,10 @@ void always(const rayaudit_case*, size_t, rayaudit_answer*) {
 
 void crash() { std::raise(SIGSEGV); }
 void trap() { __builtin_trap(); }
+void complain() {
+  std::fputs("planted complaint\n", stderr);
+  std::abort();
+}
 void hang() {
   while (true) pause();
 }
@@ -144,6 +148,7 @@ constexpr rayaudit_subject subjects[] = {
     on_spheres("process", tell_process),
     on_all("always_crashes", always<crash>),
     on_all("always_hangs", always<hang>),
+    on_all("always_complains", always<complain>),
 };
 
 }  // namespace
