@@ -189,7 +189,11 @@ void measure(Judgement& judgement, Settled& settled, const Answer& answer, const
   if (crossing.kind != Kind::within) {
     const Real& forced = settled.sensitivity(judgement.crossing).forced;
     if (is_finite(forced)) {
-      judgement.forced = std::ldexp(ratio(off, forced), -format.unit_exponent());
+      // Where every number that t hangs on is 0, rounding the case does nothing to it.
+      const double times = sign(off) == 0      ? 0
+                           : sign(forced) == 0 ? std::numeric_limits<double>::infinity()
+                                               : ratio(off, forced);
+      judgement.forced = std::ldexp(times, -format.unit_exponent());
       judgement.own = std::fmin(judgement.forced, judgement.ulps);
       judgement.condition =
           scaled(forced, spacing_exponent(exact, format) - format.unit_exponent());

@@ -149,6 +149,7 @@ Approach approach(const Case& question) {
 
 /// x to so many bits, toward 0.
 double shortened(double x, int bits) {
+  if (x == 0 || !std::isfinite(x)) return x;
   const int unit = std::ilogb(x) - bits + 1;
   return std::ldexp(std::trunc(std::ldexp(x, -unit)), unit);
 }

@@ -102,6 +102,7 @@ std::string block(const Change& change) {
 
 std::vector<std::string> folded_changes(const std::vector<Change>& changes) {
   std::vector<std::string> all;
+  all.reserve(changes.size());
   for (const Change& each : changes) all.push_back(folded(told(each), block(each)));
   return all;
 }

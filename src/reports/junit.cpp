@@ -71,8 +71,8 @@ struct Suite {
   std::string inside = {};
 
   std::string counts() const {
-    return fmt::format(" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" time=\"0\"",
-                       cases, failed, skipped);
+    return fmt::format(R"( tests="{}" failures="{}" errors="0" skipped="{}" time="0")", cases,
+                       failed, skipped);
   }
 };
 
