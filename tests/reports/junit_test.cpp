@@ -66,8 +66,8 @@ BOOST_AUTO_TEST_CASE(a_failure_says_all_that_a_person_needs) {
        {"<failure type=\"false_miss\" message=\"false_miss in 7 of 100 cases: a miss where there "
         "is a hit\">",
         "\ncase     sphere ", "\ngot      hit 0x1.2p+2 (4.5)\n", "\ntruth    hit 0x1.",
-        "\nverdict  false_miss: a miss where there is a hit\n", "\nmargin   12 u in float: ",
-        "\ncause    assumption of a direction of length 1\n",
+        "\nverdict  false_miss: a miss where there is a hit\n",
+        "\nmargin   12 u in float: ", "\ncause    assumption of a direction of length 1\n",
         "\nexplain  rayaudit explain --subject mine/float 'sphere "})
     BOOST_TEST(contains(xml, part), part + "\n" + xml);
 }
