@@ -205,6 +205,28 @@ void judge_portion(const Plan& plan, const Group& group, std::span<const Case> c
   }
 }
 
+/// The chunks of the plan's shard, of which there may be more than memory could list.
+class Chunks {
+ public:
+  explicit Chunks(const Plan& plan) : plan_(plan) {
+    const std::uint64_t all = (plan.cases + chunk_cases - 1) / chunk_cases;
+    size_ = all > plan.shard ? (all - plan.shard - 1) / plan.shards + 1 : 0;
+  }
+
+  std::uint64_t size() const { return size_; }
+  std::uint64_t operator[](std::uint64_t i) const { return plan_.shard + i * plan_.shards; }
+  /// The cases of the count chunks from the i-th on: every one is full, but perhaps the last of
+  /// all.
+  std::uint64_t cases(std::uint64_t i, std::uint64_t count) const {
+    const std::uint64_t end = i + count == 0 ? 0 : ((*this)[i + count - 1] + 1) * chunk_cases;
+    return count * chunk_cases - (count > 0 && end > plan_.cases ? end - plan_.cases : 0);
+  }
+
+ private:
+  const Plan& plan_;
+  std::uint64_t size_ = 0;
+};
+
 std::size_t size_of_chunk(const Plan& plan, std::uint64_t chunk) {
   return std::min<std::uint64_t>(chunk_cases, plan.cases - chunk * chunk_cases);
 }
@@ -242,27 +264,24 @@ void run_chunk(const Plan& plan, const Group& group, const std::vector<Audit>& a
   judge_chunk(plan, group, audits, chunk, cases, {}, shared);
 }
 
-/// Asks a subject elsewhere several chunks at once: each asking has its price.
+/// Asks a subject elsewhere several chunks at once, the count from the i-th on: each asking has its
+/// price.
 void run_elsewhere(const Plan& plan, const Group& group, const std::vector<Audit>& audits,
-                   std::span<const std::uint64_t> chunks, std::vector<SharedTally>& shared) {
-  std::size_t size = 0;
-  for (const std::uint64_t chunk : chunks) size += size_of_chunk(plan, chunk);
-  std::vector<Case> cases(size);
-  std::vector<Answer> answers(size);
+                   const Chunks& chunks, std::uint64_t i, std::uint64_t count,
+                   std::vector<SharedTally>& shared) {
+  std::vector<Case> cases(chunks.cases(i, count));
+  std::vector<Answer> answers(cases.size());
   const auto each_chunk = [&](const auto& visit) {
-    std::size_t place = 0;
-    for (const std::uint64_t chunk : chunks) {
-      visit(chunk, place, size_of_chunk(plan, chunk));
-      place += size_of_chunk(plan, chunk);
-    }
+    for (std::uint64_t k = 0; k < count; ++k)
+      visit(chunks[i + k], k * chunk_cases, size_of_chunk(plan, chunks[i + k]));
   };
-  each_chunk([&](std::uint64_t chunk, std::size_t place, std::size_t count) {
-    draw_chunk(plan, group, chunk, std::span(cases).subspan(place, count));
+  each_chunk([&](std::uint64_t chunk, std::size_t place, std::size_t size) {
+    draw_chunk(plan, group, chunk, std::span(cases).subspan(place, size));
   });
   group.elsewhere->answer[group.shape](cases, answers);
-  each_chunk([&](std::uint64_t chunk, std::size_t place, std::size_t count) {
-    judge_chunk(plan, group, audits, chunk, std::span(cases).subspan(place, count),
-                std::span(answers).subspan(place, count), shared);
+  each_chunk([&](std::uint64_t chunk, std::size_t place, std::size_t size) {
+    judge_chunk(plan, group, audits, chunk, std::span(cases).subspan(place, size),
+                std::span(answers).subspan(place, size), shared);
   });
 }
 
@@ -313,42 +332,17 @@ class Teller {
   std::mutex mutex_;
 };
 
-/// The chunks of the plan's shard, in order.
-std::vector<std::uint64_t> chunks_of(const Plan& plan) {
-  std::vector<std::uint64_t> chunks;
-  for (std::uint64_t chunk = plan.shard; chunk * chunk_cases < plan.cases; chunk += plan.shards)
-    chunks.push_back(chunk);
-  return chunks;
-}
-
-/// What is done in one go by one thread.
-using Task = std::function<void()>;
-
-/// A thread's work for each subject elsewhere, all of it in order; then for each chunk of the rest.
-std::vector<Task> tasks_of(const Plan& plan, const std::vector<Group>& groups,
-                           const std::vector<Audit>& audits,
-                           const std::vector<std::uint64_t>& chunks,
-                           std::vector<SharedTally>& shared, Teller& teller) {
-  std::vector<Task> tasks;
-  for (const Subject* subject : plan.subjects)
-    if (subject->is_elsewhere)
-      tasks.emplace_back([&, subject] {
-        constexpr std::size_t at_once = batch_elsewhere / chunk_cases;
-        for (const Group& group : groups)
-          for (std::size_t i = 0; group.elsewhere == subject && i < chunks.size(); i += at_once) {
-            const auto part = std::span(chunks).subspan(i, std::min(at_once, chunks.size() - i));
-            run_elsewhere(plan, group, audits, part, shared);
-            for (const std::uint64_t chunk : part) teller.add(size_of_chunk(plan, chunk));
-          }
-      });
+/// All that a subject elsewhere is asked, in order.
+void run_all_elsewhere(const Plan& plan, const Subject& subject, const std::vector<Group>& groups,
+                       const std::vector<Audit>& audits, const Chunks& chunks,
+                       std::vector<SharedTally>& shared, Teller& teller) {
+  constexpr std::uint64_t at_once = batch_elsewhere / chunk_cases;
   for (const Group& group : groups)
-    for (const std::uint64_t chunk : chunks)
-      if (group.elsewhere == nullptr)
-        tasks.emplace_back([&, chunk] {
-          run_chunk(plan, group, audits, chunk, shared);
-          teller.add(size_of_chunk(plan, chunk) * group.audits.size());
-        });
-  return tasks;
+    for (std::uint64_t i = 0; group.elsewhere == &subject && i < chunks.size(); i += at_once) {
+      const std::uint64_t count = std::min(at_once, chunks.size() - i);
+      run_elsewhere(plan, group, audits, chunks, i, count, shared);
+      teller.add(chunks.cases(i, count));
+    }
 }
 
 }  // namespace
@@ -372,14 +366,26 @@ std::vector<Audit> planned(const Plan& plan) {
 
 std::vector<Audit> gathered(const Plan& plan, const std::function<void(Progress)>& tell) {
   std::vector<Audit> audits = planned(plan);
-  const std::vector<Group> groups = grouped(plan, audits);
-  const std::vector<std::uint64_t> chunks = chunks_of(plan);
+  const Chunks chunks(plan);
+  std::vector<Group> groups = grouped(plan, audits);
+  // First come those that are one thread's work from end to end.
+  std::vector<const Subject*> elsewhere;
+  for (const Subject* subject : plan.subjects)
+    if (subject->is_elsewhere) elsewhere.push_back(subject);
+  const auto here = std::stable_partition(
+      groups.begin(), groups.end(), [](const Group& group) { return group.elsewhere != nullptr; });
   std::vector<SharedTally> shared(audits.size());
-  std::uint64_t cases = 0;
-  for (const std::uint64_t chunk : chunks) cases += size_of_chunk(plan, chunk);
-  Teller teller(cases * audits.size(), tell);
-  const std::vector<Task> tasks = tasks_of(plan, groups, audits, chunks, shared, teller);
-  on_threads(plan.threads, tasks.size(), [&](std::size_t i) { tasks[i](); });
+  Teller teller(chunks.cases(0, chunks.size()) * audits.size(), tell);
+  const auto groups_here = static_cast<std::uint64_t>(groups.end() - here);
+  on_threads(plan.threads, elsewhere.size() + groups_here * chunks.size(), [&](std::uint64_t i) {
+    if (i < elsewhere.size())
+      return run_all_elsewhere(plan, *elsewhere[i], groups, audits, chunks, shared, teller);
+    const std::uint64_t place = i - elsewhere.size();
+    const Group& group = here[static_cast<std::ptrdiff_t>(place / chunks.size())];
+    const std::uint64_t chunk = chunks[place % chunks.size()];
+    run_chunk(plan, group, audits, chunk, shared);
+    teller.add(size_of_chunk(plan, chunk) * group.audits.size());
+  });
   for (std::size_t i = 0; i < audits.size(); ++i) audits[i].tally = std::move(shared[i].tally);
   teller.end();
   return audits;

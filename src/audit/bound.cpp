@@ -171,6 +171,11 @@ std::optional<Limit> least_promise(const Quantity& quantity, const Audit& audit,
   return promise;
 }
 
+const Quantity& unasked() {
+  static const Quantity& found = quantity_named("unasked");
+  return found;
+}
+
 Bound observed(const Audit& audit, double room) {
   Bound bound = {audit.subject->name,
                  std::string(shape_names[audit.shape]),
@@ -180,9 +185,31 @@ Bound observed(const Audit& audit, double room) {
   for (const Quantity& quantity : quantities()) {
     const bool is_all_wrong = &quantity == quantities().data();
     if (quantity.is_count && is_never_wrong && !is_all_wrong) continue;  // said by `wrong 0`
+    // Who answers here neither crashes nor hangs.
+    const bool is_of_elsewhere = quantity.name == name(Verdict::crashed) ||
+                                 quantity.name == name(Verdict::timed_out) ||
+                                 &quantity == &unasked();
+    if (is_of_elsewhere && !audit.subject->is_elsewhere) continue;
     if (const auto promise = least_promise(quantity, audit, room)) bound.limits.push_back(*promise);
   }
+  // Unlike what is wrong, what could not be asked must be granted to be kept.
+  if (const auto count = static_cast<double>(audit.tally.unasked); count > 0)
+    bound.limits.push_back({&unasked(), std::ceil(rounded_up(room * count))});
   return bound;
+}
+
+/// Adds what an audit breaks of a bound.
+void hold(const Bound& bound, const Audit& audit, std::vector<Broken>& all) {
+  if (!bound.is_about(audit)) return;
+  const auto keep = [&](const Limit& limit) {
+    if (const double seen = limit.quantity->seen(audit.tally); seen > limit.most)
+      all.push_back({&bound, &audit, limit, seen, limit.quantity->worst(audit.tally)});
+  };
+  for (const Limit& limit : bound.limits) keep(limit);
+  // What was not asked keeps no promise, unless the row grants it.
+  if (std::none_of(bound.limits.begin(), bound.limits.end(),
+                   [](const Limit& limit) { return limit.quantity == &unasked(); }))
+    keep({&unasked(), 0});
 }
 
 }  // namespace
@@ -196,7 +223,12 @@ std::span<const Quantity> quantities() {
       count_of<Verdict::wrong_root>(),
       count_of<Verdict::wrong_t>(),
       count_of<Verdict::not_finite>(),
+      count_of<Verdict::crashed>(),
+      count_of<Verdict::timed_out>(),
       count_of<Verdict::invalid_mishandled>(),
+      Quantity{"unasked", true,
+               [](const Tally& tally) { return static_cast<double>(tally.unasked); },
+               worst_of_wrong},
       Quantity{"max_ulp", false, severity<worst_ulps>, worst_ulps},
       Quantity{"max_forced", false, severity<worst_forced>, worst_forced},
       Quantity{"max_own", false, severity<worst_own>, worst_own},
@@ -252,17 +284,16 @@ std::optional<double> most_ulps(const Audit& audit, const std::vector<Bound>& bo
   return least;
 }
 
+std::vector<Broken> broken(const std::vector<Bound>& bounds, const Audit& audit) {
+  std::vector<Broken> all;
+  for (const Bound& bound : bounds) hold(bound, audit, all);
+  return all;
+}
+
 std::vector<Broken> broken(const std::vector<Bound>& bounds, const std::vector<Audit>& audits) {
   std::vector<Broken> all;
   for (const Bound& bound : bounds)
-    for (const Audit& audit : audits) {
-      if (!bound.is_about(audit)) continue;
-      for (const Limit& limit : bound.limits) {
-        const double seen = limit.quantity->seen(audit.tally);
-        if (seen > limit.most)
-          all.push_back({&bound, &audit, limit, seen, limit.quantity->worst(audit.tally)});
-      }
-    }
+    for (const Audit& audit : audits) hold(bound, audit, all);
   return all;
 }
 

@@ -65,7 +65,9 @@ struct Broken {
   const Worst* worst;
 };
 
-/// All that is broken, in the order of the bounds, their audits and limits.
+/// All that is broken, in the order of the bounds, their audits and limits. Cases that were not
+/// asked break every row that does not grant them.
+std::vector<Broken> broken(const std::vector<Bound>& bounds, const Audit& audit);
 std::vector<Broken> broken(const std::vector<Bound>& bounds, const std::vector<Audit>& audits);
 
 /// The strictest bounds that every audit keeps, a row each. Of wrong verdicts that occurred only

@@ -97,7 +97,9 @@ std::string told(const Diagnosis& diagnosis) {
 
 Diagnosis diagnosis(const Wrong& wrong, const Subject& subject, const replay::Replay* replay,
                     const Convention& convention) {
-  if (wrong.judgement.verdict == Verdict::touch) return {Cause::convention};
+  // What is declared otherwise is no matter of arithmetic either.
+  if (wrong.judgement.verdict == Verdict::touch || wrong.judgement.claim == Claim::declined)
+    return {Cause::convention};
   const Bench bench(wrong, subject, convention);
   if (replay != nullptr) return by_replay(wrong, bench, *replay, subject.format);
   if (wrong.settled.truth().invalid != oracle::Invalid::no) return {Cause::unknown};

@@ -52,52 +52,6 @@ double ratio(const Real& x, const Real& y) {
   return scaled(x, e) / scaled(y, e);
 }
 
-/// Does the ray come from inside to its proper hit? The sign of F just before it tells.
-bool comes_from_inside(Settled& settled) {
-  const oracle::Truth& truth = settled.truth();
-  if (truth.hit() == nullptr || std::holds_alternative<Disk<double>>(settled.question().shape))
-    return false;
-  return settled.sensitivity(truth.count - 1).sign_before < 0;
-}
-
-/// Does the subject declare that the proper hit is none?
-bool hides_hit(Settled& settled, const Convention& convention) {
-  return convention.inside == Convention::Inside::miss && comes_from_inside(settled);
-}
-
-/// The crossings that an answer may name under a convention: touches up to and including the first
-/// that must be taken, a proper one or a touch declared to be a hit.
-struct Choices {
-  std::array<int, oracle::Truth::most> acceptable = {};  ///< places in the truth's list
-  int count = 0;
-  int must = -1;                                      ///< the one that ends the list, or -1
-  std::array<int, oracle::Truth::most> refused = {};  ///< crossings that are not acceptable
-  int refused_count = 0;
-  std::optional<Kind> open_touch;  ///< the first touch left open
-
-  Choices(Settled& settled, const Convention& convention) {
-    const auto crossings = settled.truth().crossings();
-    const bool is_hidden = hides_hit(settled, convention);
-    for (int i = 0; i < static_cast<int>(crossings.size()); ++i) {
-      const Kind kind = crossings[i].kind;
-      const auto proper = is_hidden ? Convention::Stance::miss : Convention::Stance::hit;
-      const auto stance = kind == Kind::proper ? proper : convention.of(kind);
-      if (must >= 0 || stance == Convention::Stance::miss) {
-        refused[refused_count++] = i;
-        continue;
-      }
-      acceptable[count++] = i;
-      if (stance == Convention::Stance::hit)
-        must = i;
-      else if (!open_touch)
-        open_touch = kind;
-    }
-  }
-
-  bool accepts(int crossing) const { return std::ranges::find(list(), crossing) != list().end(); }
-  std::span<const int> list() const { return {acceptable.data(), static_cast<std::size_t>(count)}; }
-};
-
 /// The root of F nearest to t, among all there are.
 const oracle::Root* nearest_root(Settled& settled, const Real& t) {
   const oracle::Root* nearest = nullptr;
@@ -426,6 +380,37 @@ std::optional<double> Settled::quick_reach() {
     reach_ = margin->reach;
   is_slow_ = !reach_;
   return reach_;
+}
+
+bool comes_from_inside(Settled& settled) {
+  const oracle::Truth& truth = settled.truth();
+  if (truth.hit() == nullptr || std::holds_alternative<Disk<double>>(settled.question().shape))
+    return false;
+  return settled.sensitivity(truth.count - 1).sign_before < 0;
+}
+
+Choices::Choices(Settled& settled, const Convention& convention) {
+  const bool is_hidden =
+      convention.inside == Convention::Inside::miss && comes_from_inside(settled);
+  const auto crossings = settled.truth().crossings();
+  for (int i = 0; i < static_cast<int>(crossings.size()); ++i) {
+    const Kind kind = crossings[i].kind;
+    const auto proper = is_hidden ? Convention::Stance::miss : Convention::Stance::hit;
+    const auto stance = kind == Kind::proper ? proper : convention.of(kind);
+    if (must >= 0 || stance == Convention::Stance::miss) {
+      refused[refused_count++] = i;
+      continue;
+    }
+    acceptable[count++] = i;
+    if (stance == Convention::Stance::hit)
+      must = i;
+    else if (!open_touch)
+      open_touch = kind;
+  }
+}
+
+bool Choices::accepts(int crossing) const {
+  return std::ranges::find(list(), crossing) != list().end();
 }
 
 Judgement judge(Settled& settled, const Answer& answer, const Format& format,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "geometry/answer.hpp"
@@ -108,6 +109,27 @@ class Settled {
   std::optional<double> reach_;
   bool is_slow_ = false;  ///< double-word numbers do not tell the reach
   std::array<std::optional<oracle::Sensitivity>, oracle::Truth::most> sensitivities_;
+};
+
+/// Does the ray come from inside to its proper hit? The sign of F just before it tells; a disk has
+/// no inside.
+bool comes_from_inside(Settled& settled);
+
+/// The crossings that an answer may name under a convention: touches up to and including the first
+/// that must be taken, a proper one or a touch declared to be a hit. Where none must, a miss will
+/// do. Not of a ray from inside where its start is declared to be the hit.
+struct Choices {
+  std::array<int, oracle::Truth::most> acceptable = {};  ///< places in the truth's list
+  int count = 0;
+  int must = -1;                                      ///< the one that ends the list, or -1
+  std::array<int, oracle::Truth::most> refused = {};  ///< crossings that are not acceptable
+  int refused_count = 0;
+  std::optional<oracle::Kind> open_touch;  ///< the first touch left open
+
+  Choices(Settled& settled, const Convention& convention);
+
+  bool accepts(int crossing) const;
+  std::span<const int> list() const { return {acceptable.data(), static_cast<std::size_t>(count)}; }
 };
 
 /// Decides in the order of DESIGN.md, section 5. The truth's t are known to bits_for(format).

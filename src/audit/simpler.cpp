@@ -141,8 +141,9 @@ void Steps::change_number(double x, const auto& place) {
       if (fewer < bits) become(to_bits(x, fewer, round));
   for (const double few : {2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 0.5, 0.25, 0.75, 1.5, 2.5})
     become(std::copysign(few, x));
-  for (const int nearer : {0, exponent / 2, exponent - 1, exponent + 1})
-    become(std::ldexp(x, nearer - exponent));
+  // Any way from where it is to 0, and one step beyond: few rounds find how far it can go.
+  for (int way = exponent; way != 0; way /= 2) become(std::ldexp(x, -way));
+  become(std::ldexp(x, exponent < 0 ? -1 : 1));
 }
 
 void Steps::change_numbers() {

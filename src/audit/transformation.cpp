@@ -330,7 +330,7 @@ constexpr std::array list = {
     Transformation{other_roundings, other_direction<5>, Shows::rounding},
     Transformation{other_roundings, other_unit<3>, Shows::rounding},
     Transformation{other_roundings, other_unit<5>, Shows::rounding},
-    Transformation{"which axis is which", with_axes_in_turn, Shows::from_afar},
+    Transformation{"which axis is which", with_axes_in_turn, Shows::in_whole_numbers},
     Transformation{"the sense of an axis", mirrored, Shows::from_afar},
 };
 
@@ -373,6 +373,12 @@ struct Trial {
   Answer said = {};
 };
 
+/// Whole numbers and halves so small that sums and products of them are exact.
+bool is_plain(const Case& question) {
+  return every_number(question,
+                      [](double x) { return std::fabs(x) <= 8 && std::trunc(2 * x) == 2 * x; });
+}
+
 /// Asks a subject all changed cases of one, in one go.
 class Trials {
  public:
@@ -400,7 +406,8 @@ class Trials {
       if (tried.shows == Shows::only_afar && (!is_far || !stays_wrong_in_control(i))) continue;
       if (trials_[i].said.form == Answer::Form::unasked || !is_changed(i)) continue;
       const bool is_rounding =
-          tried.shows == Shows::rounding || (tried.shows == Shows::from_afar && !is_far);
+          tried.shows == Shows::rounding || (tried.shows == Shows::from_afar && !is_far) ||
+          (tried.shows == Shows::in_whole_numbers && !is_plain(wrong_.settled.question()));
       return is_rounding ? Diagnosis{Cause::rounding} : Diagnosis{Cause::assumption, tried.about};
     }
     return {Cause::unknown};
@@ -429,12 +436,6 @@ class Trials {
   std::vector<Case> cases_;
   std::vector<Trial> trials_;
 };
-
-/// Whole numbers and halves so small that sums and products of them are exact.
-bool is_plain(const Case& question) {
-  return every_number(question,
-                      [](double x) { return std::fabs(x) <= 8 && std::trunc(2 * x) == 2 * x; });
-}
 
 }  // namespace
 

@@ -27,6 +27,7 @@ struct Transformation {
     /// mends it as well, which is as inexact and leaves out what this is about.
     only_afar,
     control,
+    in_whole_numbers,  ///< an assumption where no sum is rounded in any order, else rounding
     rounding,
   };
 

@@ -85,30 +85,6 @@ void require_answers(const std::vector<Audit>& audits) {
     if (audit.subject->is_elsewhere) audit.subject->answer[audit.shape]({}, {});
 }
 
-/// Subjects that crashed or hung so often on a shape that whole families were not put to them.
-void tell_unasked(const Plan& plan, const std::vector<Audit>& audits) {
-  const auto is_there = [&](const Audit& wanted) {
-    return std::any_of(audits.begin(), audits.end(), [&](const Audit& audit) {
-      return audit.subject == wanted.subject && audit.family == wanted.family &&
-             audit.shape == wanted.shape;
-    });
-  };
-  const std::vector<Audit> all = planned(plan);
-  for (auto first = all.begin(); first != all.end();) {
-    const auto last = std::find_if(first, all.end(), [&](const Audit& audit) {
-      return audit.subject != first->subject || audit.shape != first->shape;
-    });
-    std::vector<std::string_view> families;
-    for (auto audit = first; audit != last; ++audit)
-      if (!is_there(*audit)) families.push_back(audit->family->id);
-    if (!families.empty())
-      complain(fmt::format("{} was not asked about {}, family {}: it crashed or hung too often",
-                           first->subject->name, shape_names[first->shape],
-                           fmt::join(families, ", ")));
-    first = last;
-  }
-}
-
 int audit(const AuditOptions& options) {
   const Subjects subjects(options.subjects);
   const Plan plan = plan_of(options, subjects);
@@ -116,8 +92,8 @@ int audit(const AuditOptions& options) {
   const ReadyEnd end = ready(options.end, plan);
   require_answers(planned(plan));
   const std::vector<Audit> audits = run_with_progress(plan);
-  tell_unasked(plan, audits);
-  return told(end, {RAYAUDIT_VERSION, plan, audits, environment(), options.command});
+  return told(
+      end, {RAYAUDIT_VERSION, plan, audits, environment(), options.command, options.end.fail_on});
 }
 
 void add_names(CLI::App& command, const std::shared_ptr<AuditOptions>& options) {

@@ -28,8 +28,36 @@ int told_breach(const Plan& plan, const std::vector<Audit>& audits, const FailOn
       first->family->id, broken.words,
       others > 0 ? fmt::format(" (and {} more audit{})", others, others == 1 ? " fails" : "s fail")
                  : "",
-      explain_line(broken.worst, *first->subject, plan.convention)));
+      explain_line(*broken.worst, *first->subject, plan.convention)));
   return found;
+}
+
+/// Subjects that crashed or hung so often on a shape that whole families were not put to them. Are
+/// there any?
+bool tell_unasked(const Plan& plan, const std::vector<Audit>& audits) {
+  const auto is_there = [&](const Audit& wanted) {
+    return std::any_of(audits.begin(), audits.end(), [&](const Audit& audit) {
+      return audit.subject == wanted.subject && audit.family == wanted.family &&
+             audit.shape == wanted.shape;
+    });
+  };
+  bool any = false;
+  const std::vector<Audit> all = planned(plan);
+  for (auto first = all.begin(); first != all.end();) {
+    const auto last = std::find_if(first, all.end(), [&](const Audit& audit) {
+      return audit.subject != first->subject || audit.shape != first->shape;
+    });
+    std::vector<std::string_view> families;
+    for (auto audit = first; audit != last; ++audit)
+      if (!is_there(*audit)) families.push_back(audit->family->id);
+    any = any || !families.empty();
+    if (!families.empty())
+      complain(fmt::format("{} was not asked about {}, family {}: it crashed or hung too often",
+                           first->subject->name, shape_names[first->shape],
+                           fmt::join(families, ", ")));
+    first = last;
+  }
+  return any;
 }
 
 /// How many of a kind are told where not all of them were asked for.
@@ -186,16 +214,18 @@ ReadyEnd ready(const AuditEnd& end, const Plan& plan) {
 
 int told(const ReadyEnd& end, const Run& run) {
   if (!end.asked.saved_cases.empty()) save_cases(end.asked.saved_cases, run.audits);
+  const bool is_held = !run.plan.bounds.empty() || run.fail_on.asks_anything();
+  const int missing = tell_unasked(run.plan, run.audits) && is_held ? found : all_held;
   // Standard output comes last: where its reader has gone, the files are there.
   for (const bool to_stdout : {false, true}) {
     deliver(end.orders, reports(), run, {.everything = end.asked.all_findings}, to_stdout);
     if (end.observed_to && end.observed_to->empty() == to_stdout)
       deliver(*end.observed_to, write_observed(end.asked, run));
   }
-  const int breach = told_breach(run.plan, run.audits, end.asked.fail_on);
+  const int breach = told_breach(run.plan, run.audits, run.fail_on);
   const int broken = told_broken(run.plan, run.audits, end.asked.all_findings);
   const int changed = told_difference(end, run);
-  return std::max({breach, broken, changed, told_uncertain(run.audits)});
+  return std::max({missing, breach, broken, changed, told_uncertain(run.audits)});
 }
 
 }  // namespace rayaudit

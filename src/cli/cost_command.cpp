@@ -25,7 +25,7 @@ struct CostOptions {
 CostPlan plan_of(const CostOptions& options, const Subjects& subjects) {
   CostPlan plan = options.plan;
   // Every way to answer where none is named: what is audited by name only takes part too.
-  plan.subjects = subjects.selected_of_all(options.subjects);
+  plan.subjects = subjects.selected(options.subjects, Subjects::Unnamed::every);
   for (const std::size_t i :
        selected("family", options.families, names_of(families(), &Family::id)))
     // Invalid cases are no question of accuracy: they take part where they are named.

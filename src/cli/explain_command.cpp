@@ -67,9 +67,9 @@ std::string judged_row(const std::string& who, const Case& question, const Answe
       judgement.side == Side::unknown ? "-" : std::string(name(judgement.side));
   std::string cause;
   if (subject != nullptr && (is_wrong(judgement.verdict) || judgement.verdict == Verdict::touch))
-    cause = name(
-        diagnosis({settled, answer, judgement, {}}, *subject, replay::replay_of(subject->name), {})
-            .cause);
+    cause = name(diagnosis({settled, answer, judgement, {}}, *subject,
+                           replay::replay_of(subject->name), convention)
+                     .cause);
   std::string row = fmt::format("{:<28} {:<26} {:<22} {:>8} {:>8}  {:<7} {}", who,
                                 shown(answer, format), verdict, figures::magnitude(judgement.ulps),
                                 figures::magnitude(judgement.forced), side, cause);

@@ -1,17 +1,13 @@
 #include "cli/fail_on.hpp"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <cmath>
 #include <vector>
 
 #include "cli/pieces.hpp"
-#include "geometry/case_line.hpp"
 #include "geometry/error.hpp"
 #include "geometry/quotation.hpp"
 #include "geometry/unknown_name.hpp"
-#include "reports/figures.hpp"
 
 namespace rayaudit {
 namespace {
@@ -47,20 +43,6 @@ FailOn read_fail_on(std::string_view text) {
     fail_on.verdicts[static_cast<std::size_t>(place)] = true;
   }
   return fail_on;
-}
-
-std::optional<Breach> breach(const FailOn& fail_on, const Tally& tally) {
-  for (std::size_t i = 0; i < verdict_count; ++i) {
-    if (!fail_on.verdicts[i] || tally.verdicts[i] == 0) continue;
-    const auto verdict = Verdict{static_cast<std::uint8_t>(i)};
-    return Breach{fmt::format("{} of {} cases {}", figures::grouped(tally.verdicts[i]),
-                              figures::grouped(tally.cases), name(verdict)),
-                  *tally.worst(verdict)};
-  }
-  if (!fail_on.most_ulps || !(tally.ulps.largest() > *fail_on.most_ulps)) return std::nullopt;
-  return Breach{fmt::format("a t is off by {} ulps, more than {}",
-                            figures::magnitude(tally.ulps.largest()), *fail_on.most_ulps),
-                *tally.worst_ulps};
 }
 
 }  // namespace rayaudit

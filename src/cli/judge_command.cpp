@@ -145,8 +145,8 @@ int judge_lines(const JudgeOptions& options) {
   if (!options.each) print(summary(all, file.name(), options.format));
   const auto broken = breach(options.fail_on, all.tally);
   if (!broken) return all_held;
-  complain(fmt::format("--fail-on: {}:{}: {}: {}", file.name(), broken->worst.place, broken->words,
-                       explain_line(broken->worst, options.format)));
+  complain(fmt::format("--fail-on: {}:{}: {}: {}", file.name(), broken->worst->place, broken->words,
+                       explain_line(*broken->worst, options.format)));
   return found;
 }
 

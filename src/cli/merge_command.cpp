@@ -18,7 +18,7 @@ struct MergeOptions {
 };
 
 ShardSum sum_of(const std::vector<std::string>& files, const Subjects& subjects) {
-  const auto subject_named = [&](const std::string& name) { return &subjects.named(name); };
+  const auto subject_named = [&](const std::string& name) { return subjects.find(name); };
   ShardSum sum;
   for (const std::string& path : files) {
     const WholeFile file = read_whole(path);
@@ -33,7 +33,8 @@ int merge(const MergeOptions& options) {
   ShardSum sum = sum_of(options.files, subjects);
   const ReadyEnd end = ready(options.end, sum.plan());
   conclude(sum.plan(), sum.audits());
-  return told(end, {RAYAUDIT_VERSION, sum.plan(), sum.audits(), sum.environment(), sum.command()});
+  return told(end, {RAYAUDIT_VERSION, sum.plan(), sum.audits(), sum.environment(), sum.command(),
+                    options.end.fail_on});
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 
 #include "cli/command_text.hpp"
 #include "cli/names.hpp"
+#include "cli/whole_file.hpp"
+#include "geometry/digest.hpp"
 #include "geometry/error.hpp"
 #include "geometry/glob.hpp"
 
@@ -44,15 +46,19 @@ Subjects::Subjects(const SubjectChoice& choice) {
     throw Error("--patience goes with --plugin or --program");
   for (const std::string& file : choice.plugins)
     add(plugin_subjects(file, choice.patience.value_or(plugin_patience)),
-        "--plugin " + quoted(file));
+        "--plugin " + quoted(file), read_whole(file).text);
   if (!choice.program.empty())
     add({program_subject(choice.program, choice.format, choice.patience.value_or(usual_patience))},
-        fmt::format("--program {} --format {}", quoted(choice.program), choice.format.name));
+        fmt::format("--program {} --format {}", quoted(choice.program), choice.format.name),
+        choice.program);
   for (const Subject& subject : brought_) all_.push_back(&subject);
   for (const Subject& subject : all_subjects()) all_.push_back(&subject);
 }
 
-void Subjects::add(std::vector<Subject> subjects, const std::string& brought_by) {
+void Subjects::add(std::vector<Subject> subjects, const std::string& brought_by,
+                   std::string_view made_of) {
+  Digest digest;
+  digest.add(made_of);
   for (Subject& subject : subjects) {
     const auto is_of_name = [&](const Subject& each) { return each.name == subject.name; };
     const std::vector<Subject>& here = all_subjects();
@@ -61,19 +67,18 @@ void Subjects::add(std::vector<Subject> subjects, const std::string& brought_by)
       throw Error(fmt::format("{} brings a subject `{}`, and there is one of this name already",
                               brought_by, subject.name));
     subject.brought_by = brought_by;
+    subject.made_of = digest.value();
   }
   std::move(subjects.begin(), subjects.end(), std::back_inserter(brought_));
 }
 
-std::vector<const Subject*> Subjects::selected(const SubjectChoice& choice) const {
-  if (choice.names.empty() && choice.brings_any()) return selected_of_all(choice);
+std::vector<const Subject*> Subjects::selected(const SubjectChoice& choice, Unnamed unnamed) const {
   require_present(choice.names);
-  const std::vector<std::string> asked =
-      choice.names.empty() ? std::vector<std::string>{"*"} : choice.names;
   std::vector<bool> chosen(all_.size());
-  for (const std::string& pattern : asked)
+  const bool wants_all = choice.names.empty() && brought_.empty();
+  for (const std::string& pattern : wants_all ? std::vector<std::string>{"*"} : choice.names)
     for (const std::size_t i : rayaudit::selected("subject", {pattern}, names_of(all_)))
-      if (reaches(pattern, all_, *all_[i])) chosen[i] = true;
+      if (unnamed == Unnamed::every || reaches(pattern, all_, *all_[i])) chosen[i] = true;
   // What is brought along is audited beside the others, unless names choose of it.
   const auto brought_end = chosen.begin() + static_cast<std::ptrdiff_t>(brought_.size());
   if (std::find(chosen.begin(), brought_end, true) == brought_end)
@@ -84,16 +89,10 @@ std::vector<const Subject*> Subjects::selected(const SubjectChoice& choice) cons
   return subjects;
 }
 
-std::vector<const Subject*> Subjects::selected_of_all(const SubjectChoice& choice) const {
-  require_present(choice.names);
-  std::vector<const Subject*> subjects;
-  if (choice.names.empty() && choice.brings_any()) {
-    for (const Subject& subject : brought_) subjects.push_back(&subject);
-    return subjects;
-  }
-  for (const std::size_t i : rayaudit::selected("subject", choice.names, names_of(all_)))
-    subjects.push_back(all_[i]);
-  return subjects;
+const Subject* Subjects::find(const std::string& name) const {
+  const auto found = std::find_if(all_.begin(), all_.end(),
+                                  [&](const Subject* each) { return each->name == name; });
+  return found == all_.end() ? nullptr : *found;
 }
 
 const Subject& Subjects::named(const std::string& name) const {

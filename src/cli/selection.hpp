@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "families/family.hpp"
@@ -42,19 +43,22 @@ class Subjects {
   /// They stand as long as this does.
   const std::vector<const Subject*>& all() const { return all_; }
 
-  /// The subjects that an audit of the choice has: without names, those that it brings along, else
-  /// those of every audit; with names of others, those that it brings along too. A glob stands for
-  /// these too; where it matches none of them, for any subject there is. Throws Error where a name
-  /// is not known, NothingAudited where a glob matches nothing.
-  std::vector<const Subject*> selected(const SubjectChoice& choice) const;
-  /// The same, but that of what is not brought along every subject counts as one of every audit.
-  std::vector<const Subject*> selected_of_all(const SubjectChoice& choice) const;
+  /// What stands for many stands for: those of every audit, and where it matches none of them any;
+  /// or every subject there is.
+  enum class Unnamed { usual, every };
+  /// The subjects of the choice. What is brought along is among them, unless names choose of it;
+  /// without names there is nothing else, and where nothing is brought along either, all. Throws
+  /// Error where a name is not known, NothingAudited where a glob matches nothing.
+  std::vector<const Subject*> selected(const SubjectChoice& choice,
+                                       Unnamed unnamed = Unnamed::usual) const;
 
   /// The subject of a name; throws Error where there is none.
   const Subject& named(const std::string& name) const;
+  /// Null where there is none.
+  const Subject* find(const std::string& name) const;
 
  private:
-  void add(std::vector<Subject> subjects, const std::string& brought_by);
+  void add(std::vector<Subject> subjects, const std::string& brought_by, std::string_view made_of);
 
   std::vector<Subject> brought_;
   std::vector<const Subject*> all_;

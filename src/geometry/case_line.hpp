@@ -6,6 +6,7 @@
 
 #include "geometry/answer.hpp"
 #include "geometry/case.hpp"
+#include "geometry/number_text.hpp"
 
 namespace rayaudit {
 
@@ -30,12 +31,10 @@ bool is_blank(std::string_view line);
 /// Where the comment of a line begins, or its size: what is appended goes in front of it.
 std::size_t comment_start(std::string_view line);
 
-/// Append the words of a case, an answer, a number to a line, exactly, in hex floats; no space
-/// before or after.
+/// Append the words of a case or an answer to a line, exactly, in hex floats; no space before or
+/// after.
 void write(std::string& line, const Case& question);
 void write(std::string& line, const Answer& answer);
-void write(std::string& line, double number);
-void write(std::string& line, const Real& number);
 
 /// The case as one line, without an end of line.
 std::string case_line(const Case& question);

@@ -1,7 +1,10 @@
 #include "geometry/flat_case.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace rayaudit {
@@ -26,18 +29,30 @@ struct Flatten {
   }
 };
 
-/// A number and its low part, which says nothing beside an infinity or a NaN.
-Real sum(double high, double low) {
-  if (low == 0 || !std::isfinite(high)) return real(high);
+/// (high + low) 2^exponent; the low part says nothing beside an infinity or a NaN.
+Real sum(double high, double low, int exponent) {
+  if (!std::isfinite(high)) return real(high);
   if (!std::isfinite(low)) return real(std::numeric_limits<double>::quiet_NaN());
-  return normal({high, low, 0, 0});
+  if (low == 0) return {high, 0, 0, exponent};
+  return normal({high, low, 0, exponent});
 }
 
-/// The two doubles nearest to a number.
-std::pair<double, double> two_doubles(const Real& x) {
-  const double high = nearest<double>(x);
-  if (!std::isfinite(high)) return {high, 0};
-  return {high, nearest<double>(difference(x, real(high)))};
+/// The two doubles that are nearest to a number 2^-exponent.
+std::pair<double, double> two_doubles(const Real& x, int exponent) {
+  Real left = normal(x);
+  if (!is_finite(left)) return {left.high, 0};
+  left.exponent -= exponent;
+  const double high = nearest<double>(left);
+  return {high, nearest<double>(difference(left, real(high)))};
+}
+
+/// What to take out of numbers so that doubles hold them; 0 for most.
+int exponent_of(std::initializer_list<Real> numbers) {
+  int largest = std::numeric_limits<int>::min();
+  for (const Real& each : numbers)
+    if (is_finite(each) && sign(each) != 0) largest = std::max(largest, binade(each));
+  return largest != std::numeric_limits<int>::min() && (largest < -900 || largest > 1000) ? largest
+                                                                                          : 0;
 }
 
 }  // namespace
@@ -70,11 +85,19 @@ Case from_flat(const rayaudit_case& question) {
 rayaudit_answer flat(const Answer& answer) {
   rayaudit_answer made = {};
   made.form = static_cast<std::int32_t>(answer.form);
-  if (answer.form == Answer::Form::hit) std::tie(made.t, made.t_low) = two_doubles(answer.t);
+  const auto tell = [&](const Real& x, double& high, double& low) {
+    std::tie(high, low) = two_doubles(x, made.exponent);
+  };
+  if (answer.form == Answer::Form::hit) {
+    made.exponent = exponent_of({answer.t});
+    tell(answer.t, made.t, made.t_low);
+  }
   if (answer.form == Answer::Form::at) {
-    std::tie(made.point.x, made.point_low.x) = two_doubles(answer.point.x);
-    std::tie(made.point.y, made.point_low.y) = two_doubles(answer.point.y);
-    std::tie(made.point.z, made.point_low.z) = two_doubles(answer.point.z);
+    const auto& [x, y, z] = answer.point;
+    made.exponent = exponent_of({x, y, z});
+    tell(x, made.point.x, made.point_low.x);
+    tell(y, made.point.y, made.point_low.y);
+    tell(z, made.point.z, made.point_low.z);
   }
   return made;
 }
@@ -86,9 +109,10 @@ Answer from_flat(const rayaudit_answer& answer) {
     case RAYAUDIT_MISS:
       return Answer::miss();
     case RAYAUDIT_HIT:
-      return Answer::hit(sum(answer.t, answer.t_low));
+      return Answer::hit(sum(answer.t, answer.t_low, answer.exponent));
     case RAYAUDIT_AT:
-      return Answer::at({sum(x, low.x), sum(y, low.y), sum(z, low.z)});
+      return Answer::at({sum(x, low.x, answer.exponent), sum(y, low.y, answer.exponent),
+                         sum(z, low.z, answer.exponent)});
     case RAYAUDIT_YES:
       return Answer::yes();
     default:

@@ -73,16 +73,17 @@ typedef enum rayaudit_form {
   RAYAUDIT_YES = 3    ///< they meet, no word of where
 } rayaudit_form;
 
-/// What is said of a case. A value is the exact sum of a double and a low part: so a long double or
-/// a pair of doubles is told without loss.
+/// What is said of a case. A value is (x + x_low) 2^exponent, exactly: a long double, or a pair of
+/// doubles, is told without loss, also where no double reaches.
 typedef struct rayaudit_answer {
-  int32_t form;  ///< a rayaudit_form
+  int32_t form;      ///< a rayaudit_form
+  int32_t exponent;  ///< of t, or of the point; 0 where doubles will do
   double t, t_low;
   rayaudit_vec3 point, point_low;
 } rayaudit_answer;
 
 static inline rayaudit_answer rayaudit_of_form(rayaudit_form form) {
-  rayaudit_answer answer = {0, 0, 0, {0, 0, 0}, {0, 0, 0}};
+  rayaudit_answer answer = {0, 0, 0, 0, {0, 0, 0}, {0, 0, 0}};
   answer.form = (int32_t)form;
   return answer;
 }
@@ -98,10 +99,38 @@ static inline rayaudit_answer rayaudit_at(double x, double y, double z) {
   answer.point.x = x, answer.point.y = y, answer.point.z = z;
   return answer;
 }
+
+/// The exponent to take out of a number so that two doubles hold it; 0 for most.
+static inline int rayaudit_exponent_of(long double x) {
+  int exponent = 0;
+  if (isfinite(x)) (void)frexpl(x, &exponent);
+  return exponent < -900 || exponent > 1000 ? exponent : 0;
+}
+/// What is left of x beside its nearest double.
+static inline double rayaudit_low_of(long double x) {
+  const double high = (double)x;
+  return isfinite(high) ? (double)(x - (long double)high) : 0;
+}
 /// Exactly t, to the last bit of x87's 64.
 static inline rayaudit_answer rayaudit_hit_long(long double t) {
-  rayaudit_answer answer = rayaudit_hit((double)t);
-  if (isfinite(answer.t)) answer.t_low = (double)(t - answer.t);
+  const int exponent = rayaudit_exponent_of(t);
+  const long double left = ldexpl(t, -exponent);
+  rayaudit_answer answer = rayaudit_hit((double)left);
+  answer.t_low = rayaudit_low_of(left);
+  answer.exponent = exponent;
+  return answer;
+}
+/// The same of a point; what is 2^-2000 of its largest coordinate, or less, is told as 0.
+static inline rayaudit_answer rayaudit_at_long(long double x, long double y, long double z) {
+  const long double largest = fmaxl(fabsl(x), fmaxl(fabsl(y), fabsl(z)));
+  const int exponent = rayaudit_exponent_of(largest);
+  rayaudit_answer answer;
+  x = ldexpl(x, -exponent), y = ldexpl(y, -exponent), z = ldexpl(z, -exponent);
+  answer = rayaudit_at((double)x, (double)y, (double)z);
+  answer.point_low.x = rayaudit_low_of(x);
+  answer.point_low.y = rayaudit_low_of(y);
+  answer.point_low.z = rayaudit_low_of(z);
+  answer.exponent = exponent;
   return answer;
 }
 

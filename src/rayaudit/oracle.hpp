@@ -193,11 +193,7 @@ inline Answer miss(Format in = Format::in_double) { return Answer(rayaudit_miss(
 /// They meet at a point.
 template <class N, class = decltype(FormatOf<N>::value)>
 Answer at(N x, N y, N z) {
-  rayaudit_answer answer =
-      rayaudit_at(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
-  answer.point_low = {rayaudit_hit_long(x).t_low, rayaudit_hit_long(y).t_low,
-                      rayaudit_hit_long(z).t_low};
-  return Answer(answer, FormatOf<N>::value);
+  return Answer(rayaudit_at_long(x, y, z), FormatOf<N>::value);
 }
 /// What a function says that returns whether they meet and writes t.
 template <class N, class = decltype(FormatOf<N>::value)>

@@ -103,11 +103,16 @@ class Pair {
       const auto found = all.find(kind);
       return found == all.end() ? nullptr : found->second;
     };
-    for (const auto& kind : kinds) compare(of(before, kind), of(after, kind));
+    for (const auto& kind : kinds) {
+      const auto* old_one = of(before, kind);
+      const auto* new_one = of(after, kind);
+      if (is_whole() || is_no_answer(old_one != nullptr ? *old_one : *new_one))
+        compare(old_one, new_one);
+    }
   }
 
   void compare_errors() {
-    if (!before_.own || !after_.own) return;
+    if (!is_whole() || !before_.own || !after_.own) return;
     const auto change = [&](const RecordedAudit& shown) {
       return Change{after_.subject, after_.shape, after_.family,  "max_own_ulp",
                     "none",         *before_.own, *after_.own,    0,
@@ -118,13 +123,22 @@ class Pair {
     if (is_more(*before_.own, *after_.own)) difference_.fixed.push_back(change(before_));
   }
 
+  /// Was each asked all of the same cases? Else counts are of different ones.
+  bool is_whole() const { return before_.cases == after_.cases; }
+
  private:
+  static bool is_no_answer(const RecordedOutcome& outcome) {
+    return outcome.verdict == name(Verdict::crashed) ||
+           outcome.verdict == name(Verdict::timed_out) || outcome.claim == name(Claim::ended) ||
+           outcome.claim == name(Claim::hung);
+  }
+
   /// One kind of wrong answer; null where there was none.
   void compare(const RecordedOutcome* before, const RecordedOutcome* after) {
     const std::uint64_t old_count = before != nullptr ? before->count : 0;
     const std::uint64_t new_count = after != nullptr ? after->count : 0;
     // The worst of the same cases is the same: where it is another, some case is.
-    const bool others = old_count == new_count &&
+    const bool others = is_whole() && old_count == new_count &&
                         difference_.before.shares == difference_.after.shares &&
                         read_case_line(before->line).words != read_case_line(after->line).words;
     const auto change = [&](const RecordedOutcome& shown) {
@@ -227,7 +241,7 @@ void require_same_cases(const Record& before, const Record& after) {
 
 Difference difference(Record before, Record after) {
   require_same_cases(before, after);
-  Difference found = {std::move(before), std::move(after), {}, {}, {}, {}};
+  Difference found = {std::move(before), std::move(after), {}, {}, {}, {}, 0, 0};
   using Key = std::tuple<std::string, std::string, std::string>;
   std::map<Key, const RecordedAudit*> old_audits;
   for (const RecordedAudit& audit : found.before.audits) old_audits[key(audit)] = &audit;
@@ -242,6 +256,7 @@ Difference difference(Record before, Record after) {
     pair.compare_outcomes();
     pair.compare_errors();
     ++found.compared;
+    found.partly += !pair.is_whole();
     old_audits.erase(old_audit);
   }
   for (const RecordedAudit& audit : found.before.audits)

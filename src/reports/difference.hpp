@@ -67,6 +67,7 @@ struct Difference {
   std::vector<Change> broke, fixed;
   std::vector<RecordedAudit> gone, added;  ///< audits that only one of them has
   std::size_t compared = 0;
+  std::size_t partly = 0;  ///< of these, by crashes and time-outs alone: not all cases were asked
 };
 
 /// An error that grew to more than so many times itself broke, or shrank as much is fixed, where

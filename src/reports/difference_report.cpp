@@ -134,6 +134,9 @@ std::string told(const Change& change) {
 std::string summary(const Difference& difference) {
   std::string text = fmt::format("{} broke, {} fixed in {}", grouped(difference.broke.size()),
                                  grouped(difference.fixed.size()), audits(difference.compared));
+  if (difference.partly > 0)
+    text += fmt::format(" ({} of them by crashes and time-outs alone: not all cases were asked)",
+                        grouped(difference.partly));
   if (!difference.gone.empty()) text += fmt::format(", {} gone", grouped(difference.gone.size()));
   if (!difference.added.empty()) text += fmt::format(", {} new", grouped(difference.added.size()));
   return text;
@@ -171,6 +174,7 @@ std::string write_difference_json(const Difference& difference, const Look&) {
                         {"before", file(difference.before)},
                         {"after", file(difference.after)},
                         {"compared", difference.compared},
+                        {"partly", difference.partly},
                         {"broke", told_in_json(difference.broke)},
                         {"fixed", told_in_json(difference.fixed)},
                         {"gone", told_in_json(difference.gone)},

@@ -40,15 +40,12 @@ Failure failure(const Outcome& outcome, const Tally& tally) {
 
 }  // namespace
 
-std::vector<Failure> failures(const Audit& audit, const std::vector<Bound>& bounds) {
+std::vector<Failure> failures(const Audit& audit, const Run& run) {
   std::vector<Failure> all;
-  if (!bounds.empty()) {
-    for (const Bound& bound : bounds) {
-      if (!bound.is_about(audit)) continue;
-      for (const Limit& limit : bound.limits)
-        if (const double seen = limit.quantity->seen(audit.tally); seen > limit.most)
-          all.push_back(failure({&bound, &audit, limit, seen, limit.quantity->worst(audit.tally)}));
-    }
+  if (!run.plan.bounds.empty() || run.fail_on.asks_anything()) {
+    for (const Broken& each : broken(run.plan.bounds, audit)) all.push_back(failure(each));
+    if (const auto found = breach(run.fail_on, audit.tally))
+      all.push_back({found->type, found->words, found->worst});
     return all;
   }
   for (const Outcome& outcome : audit.tally.outcomes)

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "audit/audit.hpp"
+#include "reports/report.hpp"
 
 namespace rayaudit {
 
@@ -15,8 +15,9 @@ struct Failure {
   const Worst* worst;     ///< points into the audit
 };
 
-/// The failures of an audit. Where its run has bounds the limits it breaks, in their order; else
-/// its wrong verdicts, those first that are wrong farthest from any other truth.
-std::vector<Failure> failures(const Audit& audit, const std::vector<Bound>& bounds);
+/// The failures of an audit. Where its run is held to anything, the limits it breaks, in the order
+/// of the bounds, and what of it the run is to fail on; else its wrong verdicts, those first that
+/// are wrong farthest from any other truth.
+std::vector<Failure> failures(const Audit& audit, const Run& run);
 
 }  // namespace rayaudit

@@ -88,7 +88,7 @@ std::vector<Suite> suites(const Run& run) {
   std::set<decltype(key(run.audits.front()))> there;
   for (const Audit& audit : run.audits) {
     there.insert(key(audit));
-    const TestCase made = {&audit, failures(audit, run.plan.bounds)};
+    const TestCase made = {&audit, failures(audit, run)};
     Suite& here = suite(audit);
     here.failed += !made.failures.empty();
     here.inside += element(made, run.plan.convention);

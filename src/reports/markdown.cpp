@@ -24,22 +24,24 @@ std::string plural(std::uint64_t count, std::string_view one, std::string_view m
 }
 
 std::string verdict(const Run& run) {
-  std::uint64_t failed = 0, cases = 0, wrong = 0;
+  std::uint64_t failed = 0, cases = 0, wrong = 0, unasked = 0;
   for (const Audit& audit : run.audits) {
-    failed += !failures(audit, run.plan.bounds).empty();
+    failed += !failures(audit, run).empty();
     cases += audit.tally.cases;
     wrong += audit.tally.wrong();
+    unasked += audit.tally.unasked;
   }
-  const std::string of = fmt::format("{} of {}", grouped(wrong), plural(cases, "case", "cases"));
+  std::string of = fmt::format("{} of {}", grouped(wrong), plural(cases, "case", "cases"));
+  const std::string missing = unasked > 0 ? fmt::format(", {} not asked", grouped(unasked)) : "";
   const std::string audits = plural(run.audits.size(), "audit", "audits");
   if (run.plan.bounds.empty())
-    return failed == 0 ? fmt::format("**rayaudit: all {} hold**; {} wrong", audits, of)
-                       : fmt::format("**rayaudit: {} of {} have wrong answers**; {} wrong",
-                                     grouped(failed), audits, of);
+    return failed == 0 ? fmt::format("**rayaudit: all {} hold**; {} wrong{}", audits, of, missing)
+                       : fmt::format("**rayaudit: {} of {} have wrong answers**; {} wrong{}",
+                                     grouped(failed), audits, of, missing);
   if (failed == 0)
-    return fmt::format("**rayaudit: every bound is kept** in {}; {} wrong", audits, of);
-  return fmt::format("**rayaudit: bounds are broken** in {} of {}; {} wrong", grouped(failed),
-                     audits, of);
+    return fmt::format("**rayaudit: every bound is kept** in {}; {} wrong{}", audits, of, missing);
+  return fmt::format("**rayaudit: bounds are broken** in {} of {}; {} wrong{}", grouped(failed),
+                     audits, of, missing);
 }
 
 /// A subject over all families of each shape.
@@ -54,7 +56,7 @@ std::vector<Row> rows(const Run& run) {
   for (const Audit& audit : run.audits) {
     if (all.empty() || all.back().subject != audit.subject) all.push_back({audit.subject});
     all.back().shapes[audit.shape].merge(audit.tally);
-    if (!failures(audit, run.plan.bounds).empty()) all.back().failed[audit.shape] = true;
+    if (!failures(audit, run).empty()) all.back().failed[audit.shape] = true;
   }
   return all;
 }
@@ -102,7 +104,7 @@ std::vector<std::string> all_details(const Run& run) {
     return all;
   }
   for (const Audit& audit : run.audits)
-    for (const Failure& failure : failures(audit, run.plan.bounds))
+    for (const Failure& failure : failures(audit, run))
       all.push_back(folded(fmt::format("{} on {}, family {}: {}", audit.subject->name,
                                        shape_names[audit.shape], audit.family->id, failure.told),
                            failure_block(*failure.worst, *audit.subject, run.plan.convention)));

@@ -107,15 +107,12 @@ std::string condition(Settled& settled, int place, const Format& format, const S
 
 Expectation expectation(Settled& settled, const Format& format, const Convention& convention,
                         const Spelling& in) {
+  if (convention.inside == Convention::Inside::start && comes_from_inside(settled))
+    return {false, {"t == t_min"}};
   Expectation made;
-  const auto crossings = settled.truth().crossings();
-  for (int i = 0; i < static_cast<int>(crossings.size()) && made.may_miss; ++i) {
-    const Kind kind = crossings[i].kind;
-    const auto stance = kind == Kind::proper ? Convention::Stance::hit : convention.of(kind);
-    if (stance == Convention::Stance::miss) continue;
-    made.hits.push_back(condition(settled, i, format, in));
-    made.may_miss = stance != Convention::Stance::hit;
-  }
+  const Choices choices(settled, convention);
+  for (const int i : choices.list()) made.hits.push_back(condition(settled, i, format, in));
+  made.may_miss = choices.must < 0;
   return made;
 }
 
@@ -159,7 +156,10 @@ std::string head(const std::string& name, PastedAs as) {
 std::string preamble(const Case& question, PastedAs as, const Spelling& in) {
   constexpr std::array<std::string_view, 4> includes = {
       "#include <boost/test/unit_test.hpp>\n#include <cmath>",
-      "#include <gtest/gtest.h>\n#include <cmath>", "#include <catch2/catch.hpp>\n#include <cmath>",
+      "#include <gtest/gtest.h>\n#include <cmath>",
+      "#if __has_include(<catch2/catch_test_macros.hpp>)\n"
+      "#include <catch2/catch_test_macros.hpp>\n#else\n#include <catch2/catch.hpp>\n#endif\n"
+      "#include <cmath>",
       "#include <assert.h>\n#include <math.h>\n#include <stdbool.h>"};
   std::string parameters =
       fmt::format("const {0} origin[3], const {0} direction[3], {0} t_min, {0} t_max", in.type);

@@ -9,6 +9,7 @@
 #include "audit/cost.hpp"
 #include "audit/environment.hpp"
 #include "audit/ladder.hpp"
+#include "reports/breach.hpp"
 
 namespace rayaudit {
 
@@ -20,6 +21,7 @@ struct Run {
   const std::vector<Audit>& audits;
   Environment environment;
   std::string command = {};  ///< as it was typed, where it was
+  FailOn fail_on = {};       ///< what fails it besides bounds
 };
 
 /// A measurement that is over: what every way to answer costs.

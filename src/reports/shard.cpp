@@ -30,7 +30,9 @@ Json told(const Subject& subject) {
   return {{"name", subject.name},
           {"format", subject.format.name},
           {"shapes", shapes},
-          {"convention", written(subject.convention)}};
+          {"convention", written(subject.convention)},
+          {"brought_by", subject.brought_by},
+          {"made_of", subject.made_of}};
 }
 
 Json told(const Bound& bound) {
@@ -88,10 +90,20 @@ std::size_t place_in(const List& all, const std::string& wanted, const Name& nam
 }
 
 const Subject* read_subject(const Json& from, const SubjectNamed& subject_named) {
-  const Subject* subject = subject_named(from.at("name"));
-  if (told(*subject) != from)
-    throw Error(fmt::format("subject `{}` is not what it was: format, shapes or conventions differ",
-                            subject->name));
+  const std::string brought_by = from.at("brought_by");
+  const std::string subject_name = from.at("name");
+  const Subject* subject = subject_named(subject_name);
+  if (subject == nullptr && !brought_by.empty())
+    throw Error(
+        fmt::format("subject `{}` is not here: it was brought by {}, which is to be given again",
+                    subject_name, brought_by));
+  if (subject == nullptr) throw Error(fmt::format("there is no subject `{}`", subject_name));
+  Json here = told(*subject);
+  here["brought_by"] = brought_by;  // from wherever
+  if (here != from)
+    throw Error(fmt::format(
+        "subject `{}` is not what it was: format, shapes, conventions or what it is made of differ",
+        subject_name));
   return subject;
 }
 

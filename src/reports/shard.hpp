@@ -22,7 +22,7 @@ struct Shard {
 /// A shard of a run as a file: its audits are gathered(plan), not concluded.
 std::string write_shard(const Run& run, const Look& look);
 
-/// The subject of a name; throws Error where there is none.
+/// The subject of a name; null where there is none.
 using SubjectNamed = std::function<const Subject*(const std::string& name)>;
 
 /// Reads what write_shard wrote with the same version of the program. Throws Error where it is

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <stdexcept>
@@ -47,6 +48,8 @@ struct Subject {
   bool is_elsewhere = false;
   /// What a command line must have for it to be there, as `--plugin ./libmine.so`; or nothing.
   std::string brought_by = {};
+  /// Of what is brought along: a digest of its plugin's bytes, or of its program's command.
+  std::uint64_t made_of = 0;
 
   bool answers(std::size_t shape) const { return answer[shape] != nullptr; }
 

@@ -9,25 +9,13 @@
 #include <type_traits>
 
 #include "geometry/case_line.hpp"
-#include "geometry/error.hpp"
+#include "tests/audit/named.hpp"
 
 using namespace rayaudit;
 
 namespace {
 
 constexpr std::size_t disk = 0, sphere = 1, cylinder = 2, cone = 3;
-
-const Subject* subject_of(std::string_view name) {
-  for (const Subject& subject : built_in_subjects())
-    if (subject.name == name) return &subject;
-  throw Error("no subject " + std::string(name));
-}
-
-const Family* family_of(std::string_view id) {
-  for (const Family& family : families())
-    if (family.id == id) return &family;
-  throw Error("no family " + std::string(id));
-}
 
 Tally told(std::string_view subject, std::size_t shape, std::string_view family,
            std::uint64_t cases = 20'000) {
@@ -355,83 +343,6 @@ BOOST_AUTO_TEST_CASE(who_takes_unit_directions_only_is_asked_with_such) {
   }
 }
 
-namespace {
-
-/// A subject elsewhere that is none: it answers here, and notes what it is asked.
-struct Elsewhere {
-  std::vector<std::size_t> batches;
-  std::vector<Case> asked;
-  Answer answer = Answer::miss();
-  Subject subject = {"elsewhere/double", double_format, {}};
-
-  Elsewhere() {
-    subject.is_elsewhere = true;
-    subject.answer[sphere] = [this](std::span<const Case> cases, std::span<Answer> answers) {
-      batches.push_back(cases.size());
-      asked.insert(asked.end(), cases.begin(), cases.end());
-      for (Answer& each : answers) each = answer;
-    };
-  }
-
-  Plan plan(std::uint64_t cases) {
-    Plan made = part(cases);
-    made.subjects = {&subject}, made.shapes = {sphere};
-    made.families = {family_of("anywhere"), family_of("grazing")};
-    made.causes = false;
-    return made;
-  }
-};
-
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(a_subject_elsewhere_is_asked_in_order_in_long_batches) {
-  for (const int threads : {1, 2}) {
-    Elsewhere elsewhere;
-    Plan plan = elsewhere.plan(batch_elsewhere + 2000);
-    plan.threads = threads;
-    const std::vector<Audit> audits = run(plan);
-    const std::vector<std::size_t> batches = {batch_elsewhere, 2000, batch_elsewhere, 2000};
-    BOOST_TEST(elsewhere.batches == batches, boost::test_tools::per_element());
-    std::vector<Case> first(chunk_cases), second(chunk_cases);
-    draw(*plan.families[0], sphere, double_format, {}, plan.seed, 0, first);
-    draw(*plan.families[0], sphere, double_format, {}, plan.seed, 1, second);
-    first.insert(first.end(), second.begin(), second.end());
-    BOOST_TEST(std::equal(first.begin(), first.end(), elsewhere.asked.begin()));
-    for (const Audit& audit : audits) BOOST_TEST(audit.tally.cases == plan.cases);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(a_crash_is_tallied_and_cases_that_were_not_asked_are_not) {
-  Elsewhere elsewhere;
-  elsewhere.subject.answer[sphere] = [](std::span<const Case> cases, std::span<Answer> answers) {
-    for (std::size_t i = 0; i < cases.size(); ++i)
-      answers[i] = i < 10 ? Answer::crashed(11) : Answer::unasked();
-  };
-  const Audit audit = run(elsewhere.plan(1500))[0];
-  BOOST_TEST(audit.tally.cases == 10u);
-  BOOST_TEST(audit.tally.of(Verdict::crashed) == 10u);
-  BOOST_TEST(audit.tally.unasked == 1490u);
-  BOOST_TEST(audit.tally.worst(Verdict::crashed)->answer.signal == 11);
-  elsewhere.answer = Answer::unasked();
-  elsewhere.subject.answer[sphere] = [](std::span<const Case>, std::span<Answer> answers) {
-    for (Answer& answer : answers) answer = Answer::unasked();
-  };
-  BOOST_TEST(run(elsewhere.plan(1500)).empty());
-}
-
-BOOST_AUTO_TEST_CASE(a_finding_of_a_subject_elsewhere_is_asked_again_alone) {
-  Elsewhere elsewhere;
-  elsewhere.answer = Answer::crashed(6);
-  Plan plan = elsewhere.plan(1000);
-  plan.causes = true;
-  BOOST_TEST(run(plan)[0].tally.worst(Verdict::crashed)->repeats);
-  // It crashes among others only.
-  elsewhere.subject.answer[sphere] = [](std::span<const Case> cases, std::span<Answer> answers) {
-    for (Answer& answer : answers) answer = cases.size() > 1 ? Answer::crashed(6) : Answer::miss();
-  };
-  BOOST_TEST(!run(plan)[0].tally.worst(Verdict::crashed)->repeats);
-}
-
 BOOST_AUTO_TEST_CASE(shards_that_are_merged_tell_what_one_run_tells) {
   Plan plan = part(5000);
   const std::vector<Audit> whole = gathered(plan);
@@ -601,6 +512,12 @@ BOOST_AUTO_TEST_CASE(an_error_beyond_what_is_held_is_replayed_too) {
   BOOST_TEST(right_replayed() == 0U);
   plan.bounds = read_bounds("textbook/float cylinder far max_ulp 1 observed", "a file");
   BOOST_TEST(right_replayed() > 0U);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_takes_no_memory_for_cases_that_are_not_drawn_yet) {
+  struct Stopped {};
+  Plan plan = part(1'000'000'000'000'000);
+  BOOST_CHECK_THROW(run(plan, [](Progress) { throw Stopped{}; }), Stopped);
 }
 
 BOOST_AUTO_TEST_CASE(a_tally_does_not_grow_with_its_cases) {

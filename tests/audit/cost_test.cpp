@@ -10,6 +10,7 @@
 #include "audit/timing.hpp"
 #include "geometry/case_line.hpp"
 #include "geometry/error.hpp"
+#include "tests/audit/named.hpp"
 
 using namespace rayaudit;
 
@@ -18,13 +19,6 @@ namespace {
 constexpr std::size_t disk = 0, sphere = 1;
 
 using Words = std::vector<std::string>;
-
-const Subject& built_in(std::string_view name) {
-  return *std::ranges::find(built_in_subjects(), name, &Subject::name);
-}
-const Family* family_of(std::string_view id) {
-  return &*std::ranges::find(families(), id, &Family::id);
-}
 
 /// Nanoseconds a case at a call, counted from 0 with those that warm up.
 using Script = std::function<double(int call)>;
@@ -36,7 +30,7 @@ Script always(double nanoseconds) {
 class Cast {
  public:
   Subject& add(const std::string& name, const Script& script, const Format& format = float_format) {
-    Subject subject = built_in("certified/float");
+    Subject subject = (*subject_of("certified/float"));
     subject.name = name;
     subject.format = format;
     const auto calls = std::make_shared<int>(0);
@@ -242,7 +236,7 @@ BOOST_AUTO_TEST_CASE(each_round_begins_with_another_subject) {
 }
 
 BOOST_AUTO_TEST_CASE(a_dear_subject_is_asked_the_next_few_of_the_cases_in_each_round) {
-  Subject subject = built_in("textbook/float");
+  Subject subject = (*subject_of("textbook/float"));
   std::vector<Case> cases(10);
   draw(*family_of("anywhere"), sphere, float_format, {}, 1, 0, cases);
   std::vector<std::ptrdiff_t> begins;
@@ -261,7 +255,7 @@ BOOST_AUTO_TEST_CASE(a_dear_subject_is_asked_the_next_few_of_the_cases_in_each_r
 }
 
 BOOST_AUTO_TEST_CASE(a_subject_without_a_clock_of_its_own_is_timed_here) {
-  Subject subject = built_in("textbook/float");
+  Subject subject = (*subject_of("textbook/float"));
   std::vector<Case> cases(10);
   draw(*family_of("anywhere"), sphere, float_format, {}, 1, 0, cases);
   int batches = 0;
@@ -508,7 +502,7 @@ BOOST_AUTO_TEST_CASE(subjects_that_break_off_while_judged_harm_no_other) {
   const auto add_sound = [](Cast& cast, const std::string& name) {
     Subject& subject = cast.add(name, always(1));
     for (std::size_t shape : {sphere, disk})
-      subject.answer[shape] = built_in("textbook/float").answer[shape];
+      subject.answer[shape] = (*subject_of("textbook/float")).answer[shape];
   };
   const auto add_broken = [](Cast& cast, const std::string& name) {
     for (auto& answer : cast.add(name, always(1)).answer)

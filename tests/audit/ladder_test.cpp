@@ -9,6 +9,7 @@
 
 #include "geometry/case_line.hpp"
 #include "reports/report.hpp"
+#include "tests/audit/named.hpp"
 
 using namespace rayaudit;
 
@@ -30,14 +31,6 @@ const Family planted_family = {"planted",
                                Strength::anywhere,
                                Difficulty{1, 20, 30, "k itself"},
                                {nullptr, at_difficulty, nullptr, nullptr}};
-
-const Family* family_of(std::string_view id) {
-  return &*std::ranges::find(families(), id, &Family::id);
-}
-
-const Subject& built_in(std::string_view name) {
-  return *std::ranges::find(built_in_subjects(), name, &Subject::name);
-}
 
 /// A subject that answers cases of the planted family by their difficulty.
 Subject planted(const Format& format, const std::function<Answer(int k)>& answer) {
@@ -309,7 +302,7 @@ BOOST_AUTO_TEST_CASE(every_bound_about_a_subject_is_held_and_the_first_broken_is
 }
 
 BOOST_AUTO_TEST_CASE(a_ladder_is_the_same_on_one_thread_and_on_two) {
-  LadderPlan plan = {.subjects = {&built_in("textbook/float"), &built_in("certified/double")},
+  LadderPlan plan = {.subjects = {subject_of("textbook/float"), subject_of("certified/double")},
                      .family = family_of("grazing"),
                      .shapes = {disk, sphere},
                      .cases = 200,

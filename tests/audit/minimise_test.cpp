@@ -8,8 +8,8 @@
 #include "audit/finding.hpp"
 #include "audit/simpler.hpp"
 #include "geometry/case_line.hpp"
-#include "geometry/error.hpp"
 #include "subjects/subject_of.hpp"
+#include "tests/audit/named.hpp"
 #include "tests/oracle/replay/planted.hpp"
 
 using namespace rayaudit;
@@ -17,18 +17,6 @@ using namespace rayaudit;
 namespace {
 
 constexpr std::size_t disk = 0, sphere = 1, cylinder = 2, cone = 3;
-
-const Subject* built_in(std::string_view name) {
-  for (const Subject& subject : built_in_subjects())
-    if (subject.name == name) return &subject;
-  throw Error("no subject " + std::string(name));
-}
-
-const Family* family_of(std::string_view id) {
-  for (const Family& family : families())
-    if (family.id == id) return &family;
-  throw Error("no family " + std::string(id));
-}
 
 Plan plan_of(std::vector<const Subject*> subjects, std::initializer_list<std::string_view> ids,
              std::vector<std::size_t> shapes, std::uint64_t cases = 2048) {
@@ -164,9 +152,10 @@ BOOST_AUTO_TEST_CASE(a_flaw_is_shown_by_the_case_that_a_person_would_write) {
 }
 
 BOOST_AUTO_TEST_CASE(a_minimal_case_is_of_the_same_failure_and_no_step_is_left) {
-  const Plan plan = plan_of(
-      {built_in("handout/float"), built_in("textbook/float"), built_in("unit_direction/double")},
-      {"anywhere", "far", "slender", "lattice"}, {disk, sphere, cylinder, cone});
+  const Plan plan =
+      plan_of({subject_of("handout/float"), subject_of("textbook/float"),
+               subject_of("unit_direction/double")},
+              {"anywhere", "far", "slender", "lattice"}, {disk, sphere, cylinder, cone});
   const std::vector<Audit> audits = run(plan);
   int found = 0;
   for (const Finding& finding : findings(audits)) {
@@ -187,7 +176,7 @@ BOOST_AUTO_TEST_CASE(a_minimal_case_is_of_the_same_failure_and_no_step_is_left) 
 }
 
 BOOST_AUTO_TEST_CASE(a_case_that_rounding_does_not_excuse_shrinks_into_none_that_it_does) {
-  const Subject& subject = *built_in("textbook/float");
+  const Subject& subject = *subject_of("textbook/float");
   const Worst worst =
       wrong(subject,
             "sphere -0x1.15198p-3 0x1.65ce58p-3 -0x1.b7ad3ep-1 0x1.a2d666p+1 ray 0x1.57f0d6p+13 "
@@ -272,8 +261,8 @@ BOOST_AUTO_TEST_CASE(conduct_on_an_invalid_case_is_shown_by_one_as_invalid) {
 }
 
 BOOST_AUTO_TEST_CASE(minimal_cases_are_the_same_for_any_number_of_threads) {
-  Plan plan = plan_of({built_in("textbook/float"), built_in("handout/double")}, {"anywhere", "far"},
-                      {sphere, cone}, 512);
+  Plan plan = plan_of({subject_of("textbook/float"), subject_of("handout/double")},
+                      {"anywhere", "far"}, {sphere, cone}, 512);
   const auto lines = [&](int threads) {
     plan.threads = threads;
     std::string all;
@@ -286,7 +275,7 @@ BOOST_AUTO_TEST_CASE(minimal_cases_are_the_same_for_any_number_of_threads) {
 }
 
 BOOST_AUTO_TEST_CASE(where_no_causes_are_wanted_nothing_is_minimised) {
-  Plan plan = plan_of({built_in("handout/float")}, {"anywhere"}, {sphere}, 512);
+  Plan plan = plan_of({subject_of("handout/float")}, {"anywhere"}, {sphere}, 512);
   plan.causes = false;
   const std::vector<Audit> audits = run(plan);
   BOOST_REQUIRE(!findings(audits).empty());

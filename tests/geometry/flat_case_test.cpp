@@ -69,7 +69,22 @@ BOOST_AUTO_TEST_CASE(what_is_not_finite_stays_so_whatever_its_low_part) {
   BOOST_TEST(is_infinite(from_flat(answer).t));
   answer.t = 1, answer.t_low = std::nan("");
   BOOST_TEST(is_nan(from_flat(answer).t));
-  BOOST_TEST(is_infinite(from_flat(rayaudit_hit_long(std::numeric_limits<long double>::max())).t));
+  BOOST_TEST(is_infinite(from_flat(rayaudit_hit_long(HUGE_VALL)).t));
+}
+
+BOOST_AUTO_TEST_CASE(what_no_double_holds_is_told_to_the_last_bit_all_the_same) {
+  using Long = std::numeric_limits<long double>;
+  for (const long double x : {Long::max(), -Long::max(), Long::min(), Long::denorm_min(),
+                              0x1.23456789abcdef01p+1024L, -0x1.23456789abcdef01p-1073L}) {
+    BOOST_TEST(compare(from_flat(rayaudit_hit_long(x)).t, real(x)) == 0, x);
+    const Answer point = from_flat(rayaudit_at_long(1, x, x / 3));
+    const Answer alone = from_flat(rayaudit_at_long(x / 3, 0, x));
+    BOOST_TEST(compare(alone.point.x, real(x / 3)) == 0, x);
+    BOOST_TEST(compare(alone.point.z, real(x)) == 0, x);
+    BOOST_TEST(compare(std::fabs(x) > 1 ? point.point.y : point.point.x,
+                       std::fabs(x) > 1 ? real(x) : real(1.0)) == 0,
+               x);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(an_answer_of_no_known_form_is_garbage) {

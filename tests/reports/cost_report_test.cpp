@@ -9,6 +9,7 @@
 
 #include "reports/report.hpp"
 #include "reports/steps.hpp"
+#include "tests/audit/named.hpp"
 
 namespace rayaudit {
 namespace {
@@ -16,10 +17,6 @@ namespace {
 constexpr double none = Accuracy::unmeasured, infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t sphere = 1;
 constexpr Look every_way = {.everything = true};
-
-const Family* family_of(std::string_view id) {
-  return &*std::ranges::find(families(), id, &Family::id);
-}
 
 /// Costs on the sphere made by hand, of one easy family and one hard one.
 struct HandMadeCost {

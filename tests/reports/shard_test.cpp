@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(a_subject_that_is_not_what_it_was_is_refused) {
   };
   BOOST_TEST(refusal([&] { read_shard(file(plan()), "a.shard", "1.2.3", named); }) ==
              "`a.shard` is of no use here: subject `textbook/float` is not what it was: format, "
-             "shapes or conventions differ");
+             "shapes, conventions or what it is made of differ");
 }
 
 /// The shard of a plan, under a name of its own.
