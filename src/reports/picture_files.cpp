@@ -1,0 +1,1 @@
+#include "reports/picture_files.hpp"

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "reports/png_file.hpp"
+#include "scenes/picture_run.hpp"
+
+namespace rayaudit {
+
+/// The pictures that a scene gives, each a file: NAME.png, NAME-exact.png, NAME-difference.png,
+/// NAME-verdicts.png; those that the plan has.
+class PictureFiles {
+ public:
+  PictureFiles(const std::filesystem::path& folder, const std::string& name,
+               const PicturePlan& plan);
+
+  /// In order from the top.
+  void write(const Band& band);
+  void close();
+
+  const std::filesystem::path& path(std::size_t i) const { return paths_[i]; }
+
+ private:
+  std::vector<std::filesystem::path> paths_;
+  std::vector<PngFile> files_;
+};
+
+/// Of a linear colour what a screen shows: clipped, with sRGB's curve (IEC 61966-2-1).
+PngFile::Pixel shown(const Colour& colour);
+/// The difference of two, as black where there is none: brighter the larger, visible from 1/255 on.
+PngFile::Pixel shown_difference(const Colour& a, const Colour& b);
+/// The colour of a verdict, and of `right` the picture itself, pale.
+PngFile::Pixel shown(Verdict worst, const Colour& colour);
+
+/// What the colours of a map of verdicts mean, in their order.
+struct LegendEntry {
+  Verdict verdict;
+  PngFile::Pixel colour;
+};
+std::span<const LegendEntry> legend();
+
+}  // namespace rayaudit

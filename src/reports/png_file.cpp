@@ -1,0 +1,1 @@
+#include "reports/png_file.hpp"

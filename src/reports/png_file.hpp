@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+namespace rayaudit {
+
+/// A picture file that is written as it is made, row by row from the top, with libpng: 8 bits of
+/// red, green and blue. Whenever it is closed it is a valid file; rows that were not written are
+/// black.
+class PngFile {
+ public:
+  struct Pixel {
+    std::uint8_t red, green, blue;
+  };
+
+  /// Throws Error where the file cannot be written.
+  PngFile(const std::filesystem::path& path, int width, int height);
+  ~PngFile();
+  PngFile(PngFile&&) noexcept;
+
+  /// Whole rows. Throws Error.
+  void write(std::span<const Pixel> pixels);
+  /// Ends the file. Throws Error.
+  void close();
+
+ private:
+  struct Open;
+  std::unique_ptr<Open> open_;
+};
+
+}  // namespace rayaudit

@@ -1,0 +1,1 @@
+#include "reports/scene_run.hpp"

@@ -1,0 +1,1 @@
+#include "scenes/bounding_tree.hpp"

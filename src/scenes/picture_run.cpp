@@ -1,0 +1,1 @@
+#include "scenes/picture_run.hpp"

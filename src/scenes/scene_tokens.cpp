@@ -1,0 +1,1 @@
+#include "scenes/read_scene.hpp"
