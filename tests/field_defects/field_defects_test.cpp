@@ -335,8 +335,9 @@ std::string row(const Flaw& flaw) {
   const Afflicted& most = found.families.front();
   return fmt::format("| {} | {} | {} | {} | {} | {} % | {} | {} | `{}` |\n", flaw.about,
                      flaw.thread, shape_names[flaw.shape], found_as(found), most.family,
-                     figures::percent(most.wrong, most.cases), cause_of(found.example.diagnosis),
-                     cause_of(shut(flaw).example.diagnosis),
+                     figures::percent(most.wrong, most.cases),
+                     cause_of(told_first(found.example).diagnosis),
+                     cause_of(told_first(shut(flaw).example).diagnosis),
                      case_line(found.example.minimal->question));
 }
 
