@@ -59,9 +59,11 @@ struct Climber {
     }
     if (climb.broken) return;
     const std::vector alone = {audit};  // what is broken points into it
-    if (const auto all = broken(climb.held_to, alone); !all.empty())
-      climb.broken = {k, *all.front().bound, all.front().limit, all.front().seen,
-                      *all.front().worst};
+    const std::vector<Broken> all = broken(climb.held_to, alone);
+    if (all.empty()) return;
+    const Broken& first = all.front();
+    climb.broken = Break{k, *first.bound, first.limit, first.seen, {}};
+    if (first.worst != nullptr) climb.broken->worst = *first.worst;
   }
   Climb finished() {
     climb.slopes = {ulps.slope(), own.slope(), condition.slope()};

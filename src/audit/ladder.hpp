@@ -57,7 +57,7 @@ struct Break {
   Bound bound;
   Limit limit;
   double seen;
-  Worst worst;
+  std::optional<Worst> worst;  ///< nothing where cases were left unasked and none is wrong
 };
 
 /// One subject on one shape, from the lowest rung to the highest of its format.

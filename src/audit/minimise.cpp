@@ -13,11 +13,33 @@ namespace {
 /// So many cases are put at once to a subject that is asked at no price.
 constexpr std::size_t portion = 16;
 
+bool is_missing(const Answer& answer) {
+  return !answer.is_given() && answer.form != Answer::Form::unasked;
+}
+
+/// What a subject was asked, and to how many cases it said nothing.
+struct Asked {
+  std::size_t cases = 0, missing = 0;
+};
+
+/// The same subject; what it is asked is counted.
+Subject counted(const Subject& subject, Asked& asked) {
+  Subject made = subject;
+  for (Subject::Batch& batch : made.answer)
+    if (batch)
+      batch = [&asked, answer = batch](std::span<const Case> cases, std::span<Answer> answers) {
+        answer(cases, answers);
+        asked.cases += cases.size();
+        asked.missing += std::count_if(answers.begin(), answers.end(), is_missing);
+      };
+  return made;
+}
+
 /// A wrong answer, and what every simpler case must have in common with it.
 class Failure {
  public:
   Failure(const Plan& plan, const Audit& audit, const Worst& worst)
-      : subject_(*audit.subject),
+      : subject_(counted(*audit.subject, asked_)),
         drawn_in_(plan.drawn_in ? *plan.drawn_in : subject_.drawn_in()),
         convention_(convention_of(plan, subject_)),
         replay_(plan.replay_of(subject_.name)),
@@ -25,6 +47,8 @@ class Failure {
         found_(worst),
         invalid_(oracle::truth(worst.question, bits_).invalid),
         least_margin_(std::fmin(worst.severity, telling_margin)) {}
+  Failure(const Failure&) = delete;
+  Failure& operator=(const Failure&) = delete;
 
   /// Where nothing is simpler: the case as it was found.
   Minimal as_found() const {
@@ -34,7 +58,7 @@ class Failure {
   /// The simplest of the same failure, of cases that are sorted by that; or nothing.
   std::optional<Minimal> first_alike(const std::vector<Case>& cases) const {
     const std::size_t at_once = asked_at_once(cases.size());
-    for (std::size_t i = 0; i < cases.size(); i += at_once) {
+    for (std::size_t i = 0; i < cases.size() && !is_spent(); i += at_once) {
       const std::size_t size = std::min(at_once, cases.size() - i);
       if (auto alike = first_of({cases.data() + i, size})) return alike;
     }
@@ -62,10 +86,17 @@ class Failure {
   }
 
  private:
+  /// Did a process end for want of an answer, or is it to be ended?
+  bool ends_process() const { return subject_.is_elsewhere && !found_.answer.is_given(); }
+  bool is_spent() const {
+    const std::size_t dear = ends_process() ? asked_.cases : asked_.missing;
+    return subject_.is_elsewhere && dear >= minimal_cases_without_answer;
+  }
+
   /// A process that ends takes the rest of what it was asked with it.
   std::size_t asked_at_once(std::size_t all) const {
     if (!subject_.is_elsewhere) return portion;
-    return found_.answer.form == Answer::Form::crashed ? 1 : std::max<std::size_t>(all, 1);
+    return ends_process() ? 1 : std::max<std::size_t>(all, 1);
   }
 
   std::optional<Minimal> first_of(std::span<const Case> cases) const {
@@ -107,7 +138,8 @@ class Failure {
                              convention_));
   }
 
-  const Subject& subject_;
+  Asked asked_;
+  const Subject subject_;
   const Format drawn_in_;
   const Convention convention_;
   const replay::Replay* const replay_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -11,6 +12,11 @@ namespace rayaudit {
 /// Simpler cases are looked for in so many rounds at most, each one step from the last; of a
 /// subject elsewhere in fewer, for each is one asking.
 inline constexpr int minimal_rounds = 256, minimal_rounds_elsewhere = 64;
+
+/// Where a subject elsewhere crashed or said what is no answer, it is asked so many cases for a
+/// simpler one, and no more: each may take a new process. Where its answer is wrong, no more once
+/// so many simpler cases were left without one. The case may then not be minimal.
+inline constexpr std::size_t minimal_cases_without_answer = 32;
 
 /// A case is no minimal one where its margin falls below so many u, unless that of the case found
 /// does too: there rounding the case itself might excuse the answer.

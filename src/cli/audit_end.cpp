@@ -24,11 +24,12 @@ int told_breach(const Plan& plan, const std::vector<Audit>& audits, const FailOn
   const Breach broken = *breach(fail_on, first->tally);
   const auto others = std::count_if(first + 1, audits.end(), breaks);
   complain(fmt::format(
-      "--fail-on: {} on {}, family {}: {}{}: {}", first->subject->name, shape_names[first->shape],
+      "--fail-on: {} on {}, family {}: {}{}{}", first->subject->name, shape_names[first->shape],
       first->family->id, broken.words,
       others > 0 ? fmt::format(" (and {} more audit{})", others, others == 1 ? " fails" : "s fail")
                  : "",
-      explain_line(*broken.worst, *first->subject, plan.convention)));
+      broken.worst != nullptr ? ": " + explain_line(*broken.worst, *first->subject, plan.convention)
+                              : ""));
   return found;
 }
 

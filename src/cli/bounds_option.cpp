@@ -88,12 +88,13 @@ std::string write_bounds(const std::vector<Bound>& bounds, const std::vector<std
 
 std::string told(const Broken& broken, const Convention& convention) {
   const auto& [bound, audit, limit, _, worst] = broken;
-  return fmt::format(
-      "{}: `{}` is broken by {} on {}, family {}: {} is {}, more than {}; cause: "
-      "{}: {}",
-      bound->place, row(*bound), audit->subject->name, shape_names[audit->shape], audit->family->id,
-      limit.quantity->name, seen(broken), promise(limit.most), told(worst->diagnosis),
-      explain_line(*worst, *audit->subject, convention));
+  return fmt::format("{}: `{}` is broken by {} on {}, family {}: {} is {}, more than {}{}",
+                     bound->place, row(*bound), audit->subject->name, shape_names[audit->shape],
+                     audit->family->id, limit.quantity->name, seen(broken), promise(limit.most),
+                     worst == nullptr
+                         ? ""
+                         : fmt::format("; cause: {}: {}", told(worst->diagnosis),
+                                       explain_line(*worst, *audit->subject, convention)));
 }
 
 std::string told(const Break& broken, const Climb& climb, const Family& family) {

@@ -64,6 +64,7 @@ Convention read_convention(std::string_view text) {
     convention.stances[kind] =
         Stance{static_cast<std::uint8_t>(place_of("stance", piece.substr(equals + 1), stances))};
   }
+  if (!has_range(convention)) throw Error("--convention has " + empty_range(convention));
   return convention;
 }
 

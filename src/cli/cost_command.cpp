@@ -8,6 +8,7 @@
 #include "cli/progress_bar.hpp"
 #include "cli/report_order.hpp"
 #include "cli/selection.hpp"
+#include "geometry/error.hpp"
 
 namespace rayaudit {
 namespace {
@@ -42,6 +43,10 @@ int told_untimed(const Cost& cost) {
 }
 
 int cost(const CostOptions& options) {
+  if (!options.subjects.program.empty())
+    throw Error(
+        "cost: --program: what a program takes is mostly to be started and to read and write text, "
+        "so it has no time by the case; bring the routine as a plugin (--plugin)");
   const Subjects subjects(options.subjects);
   const CostPlan plan = plan_of(options, subjects);
   const auto orders = orders_of(options.reports, cost_reports());
@@ -63,6 +68,9 @@ int cost(const CostOptions& options) {
 
 void add_names(CLI::App& command, const std::shared_ptr<CostOptions>& options) {
   add_subjects_and_shapes(command, options->subjects, options->shapes);
+  // They are known only to be refused.
+  for (const char* of_programs : {"--program", "--format"})
+    command.get_option(of_programs)->group("");
   add_list(command, "--family", "FAMILY,...", "names or globs; else all but invalid",
            options->families)
       ->delimiter(',');

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "audit/cause.hpp"
 #include "cli/case_text.hpp"
 #include "cli/command.hpp"
@@ -76,41 +78,94 @@ std::string judged_row(const std::string& who, const Case& question, const Answe
   return row.erase(row.find_last_not_of(' ') + 1) + '\n';
 }
 
-/// The row of a subject, where it answers the shape and its format has the case.
-std::string subject_row(const Case& question, const Subject& subject,
-                        const Convention& convention) {
-  if (!subject.answers(question.shape.index())) return "";
-  if (subject.format == float_format && !is_in(question, float_format)) return "";
-  return judged_row(subject.name, question, answer_one(subject, question), subject.format,
-                    joined(convention, subject.convention), &subject);
+/// A case as it is asked, and how that is another than it was; empty where it is the same.
+struct Posed {
+  Case question;
+  std::string how;
+};
+
+/// The case of a line as a subject of the format is asked it.
+Posed posed_for(const Case& line, const Format& format, const Convention& convention) {
+  const auto is_other = [](const Case& a, const Case& b) { return case_line(a) != case_line(b); };
+  const Case held = rounded(line, format), question = asked(line, convention, format);
+  std::string how = is_other(held, line) ? fmt::format("rounded to {}", format.name) : "";
+  if (is_other(question, held))
+    how += std::string(how.empty() ? "" : " and ") + "posed as the convention has it";
+  return {question, how};
 }
+
+/// The rows of subjects on the case of a line, and what they were asked that is not quite that.
+class Rows {
+ public:
+  Rows(const Case& line, const Convention& stated) : line_(line), stated_(stated) {}
+
+  /// Where it answers the shape.
+  void add(const Subject& subject) {
+    if (!subject.answers(line_.shape.index())) return;
+    const Convention convention = joined(stated_, subject.convention);
+    const auto [question, how] = posed_for(line_, subject.drawn_in(), convention);
+    try {
+      text_ += judged_row(subject.name, question, answer_one(subject, question), subject.format,
+                          convention, &subject);
+    } catch (const NoAnswer& why) {
+      text_ += row_without_answer(subject, why.what());
+    }
+    if (!how.empty()) tell(subject.name, how + ": " + case_line(question));
+  }
+
+  std::string text() const {
+    std::string text = text_;
+    for (const auto& [what, names] : otherwise_)
+      text += names.size() == 1
+                  ? fmt::format("{} is asked the case {}\n", names[0], what)
+                  : fmt::format("{} of them are asked the case {}\n", names.size(), what);
+    return text;
+  }
+
+ private:
+  static std::string row_without_answer(const Subject& subject, std::string_view why) {
+    if (why.starts_with(subject.name + ' ')) why.remove_prefix(subject.name.size() + 1);
+    return fmt::format("{:<28} {}\n", subject.name, why);
+  }
+
+  void tell(const std::string& subject, const std::string& what) {
+    const auto known = std::find_if(otherwise_.begin(), otherwise_.end(),
+                                    [&](const auto& each) { return each.first == what; });
+    auto& names = known == otherwise_.end()
+                      ? otherwise_.emplace_back(what, std::vector<std::string>()).second
+                      : known->second;
+    names.push_back(subject);
+  }
+
+  const Case& line_;
+  const Convention& stated_;
+  std::string text_;
+  std::vector<std::pair<std::string, std::vector<std::string>>> otherwise_;  ///< what, and by whom
+};
 
 /// The rows of those that are asked of every case, and of the one to follow; where there is none,
 /// of all that are brought along.
 std::string subject_rows(const Case& question, const Subjects& subjects, const Subject* followed,
                          const Convention& convention) {
-  std::string text;
+  Rows rows(question, convention);
   bool is_told = false;
   for (const Subject& subject : built_in_subjects()) {
-    text += subject_row(question, subject, convention);
+    rows.add(subject);
     is_told = is_told || (followed != nullptr && subject.name == followed->name);
   }
   if (followed == nullptr)
-    for (const Subject& subject : subjects.brought())
-      text += subject_row(question, subject, convention);
+    for (const Subject& subject : subjects.brought()) rows.add(subject);
   else if (!is_told)
-    text += subject_row(question, *followed, convention);
-  if (!is_in(question, float_format))
-    text += "subjects in float are not asked: the case has numbers that are no floats\n";
-  return text;
+    rows.add(*followed);
+  return rows.text();
 }
 
-/// One subject on a case: the cause of its answer in full, and its steps.
-std::string followed(const Case& question, const Subject& subject, const Convention& stated) {
+/// One subject on the case of a line: the cause of its answer in full, and its steps.
+std::string followed(const Case& line, const Subject& subject, const Convention& stated) {
   const Convention convention = joined(stated, subject.convention);
-  if (!subject.answers(question.shape.index()))
-    throw Error(
-        fmt::format("--subject: {} does not answer a {}", subject.name, name(question.shape)));
+  if (!subject.answers(line.shape.index()))
+    throw Error(fmt::format("--subject: {} does not answer a {}", subject.name, name(line.shape)));
+  const Case question = asked(line, convention, subject.drawn_in());
   const Answer answer = answer_one(subject, question);
   const Truth truth = oracle::truth(question, oracle::bits_for(subject.format));
   Settled settled(question, truth);
@@ -127,16 +182,18 @@ std::string followed(const Case& question, const Subject& subject, const Convent
   return text + steps_text(question, subject);
 }
 
-/// A test in the format asked for, or that of the subject.
+/// A test of the case as it is asked, in the format asked for, or that of the subject.
 std::string pasted(const ExplainOptions& options, const CaseLine& line, const Subject* subject) {
   const Format& format = subject != nullptr ? subject->format : options.format;
   const Convention convention =
       subject != nullptr ? joined(options.convention, subject->convention) : options.convention;
   if (format.precision > long_double_format.precision)
     throw Error(fmt::format("--as: {} has no literals in C; --format names another", format.name));
-  if (!is_in(line.question, format))
-    throw Error(fmt::format("--as: the case has numbers that are none of {}", format.name));
-  return pasted_test(line.question, line.why, *options.as, format, convention);
+  const auto [question, how] =
+      posed_for(line.question, format == float_format ? float_format : double_format, convention);
+  std::string why(line.why);
+  if (!how.empty()) why += (why.empty() ? "" : "; ") + how;
+  return pasted_test(question, why, *options.as, format, convention);
 }
 
 int explain(const ExplainOptions& options) {
@@ -161,7 +218,12 @@ int explain(const ExplainOptions& options) {
     text += judged_row(fmt::format("the line, in {}", format.name), question, *answer, format,
                        convention, nullptr);
   text += subject_rows(question, subjects, subject, options.convention);
-  if (subject != nullptr) text += '\n' + followed(question, *subject, options.convention);
+  try {
+    if (subject != nullptr) text += '\n' + followed(question, *subject, options.convention);
+  } catch (const NoAnswer&) {
+    print(text);
+    throw;
+  }
   print(text);
   return all_held;
 }
@@ -186,7 +248,8 @@ void add_explain_command(CLI::App& program, Command& asked) {
   command->allow_extras();
   add_option(*command, "--subject", "ROUTINE/NUMBER", "follow this one step by step",
              [=](const std::string& text) { options->subject = text; });
-  add_bringers(*command, options->brought);
+  add_bringers(*command, options->brought,
+               "its answer is shown too, and --subject may name it");
   add_option(*command, "--convention", "KIND=STANCE,...",
              "what is declared, as tangent=hit,inside=miss",
              [=](const std::string& text) { options->convention = read_convention(text); });

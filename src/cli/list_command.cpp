@@ -106,10 +106,12 @@ void add_list_command(CLI::App& program, Command& asked) {
   CLI::App* command = program.add_subcommand("list", "List what there is to name");
   command->add_option("WHAT", *heading, "shapes, subjects, families or reports; else all four")
       ->type_name("");
-  add_bringers(*command, *choice);
+  add_bringers(*command, *choice, "what it brings is listed first");
+  add_program_format(*command, *choice);
   command->footer(
       "Examples:\n  rayaudit list\n  rayaudit list families\n"
-      "  rayaudit list subjects --plugin ./libmine.so\n");
+      "  rayaudit list subjects --plugin ./libmine.so\n"
+      "  rayaudit list subjects --program 'python3 mine.py' --format float\n");
   command->callback([=, &asked] { asked = [heading, choice] { return list(*heading, *choice); }; });
 }
 

@@ -46,7 +46,7 @@ void add_merge_command(CLI::App& program, Command& asked) {
   command->add_option("FILE", options->files, "what `audit --shard i/n --report shard=FILE` wrote")
       ->type_name("")
       ->required();
-  add_bringers(*command, options->subjects);
+  add_bringers(*command, options->subjects, "to be named again where the shards had it");
   add_program_format(*command, options->subjects);
   add_audit_end(*command, options->end);
   command->footer(

@@ -41,21 +41,20 @@ inline CLI::Option* add_list(CLI::App& command, const char* name, const char* va
   return command.add_option(name, texts, about)->type_name(value)->allow_extra_args(false);
 }
 
-/// Adds what brings subjects along.
-inline void add_bringers(CLI::App& command, SubjectChoice& choice) {
+/// Adds what brings subjects along, and says what becomes of them.
+inline void add_bringers(CLI::App& command, SubjectChoice& choice, const std::string& use) {
+  const std::string then = use.empty() ? "" : "; " + use;
   add_list(command, "--plugin", "FILE",
-           "a shared object that brings subjects (rayaudit/plugin.h); without names, only these "
-           "are chosen; may be repeated",
+           ("a shared object that brings subjects (rayaudit/plugin.h)" + then + "; may be repeated")
+               .c_str(),
            choice.plugins);
-  add_option(
-      command, "--program", "COMMAND",
-      "a program that reads case lines and writes them with its answers; without names, only "
-      "this is chosen",
-      [&choice](const std::string& text) {
-        if (text.find_first_not_of(" \t\n") == text.npos)
-          throw Error("--program: expected a command");
-        choice.program = text;
-      });
+  add_option(command, "--program", "COMMAND",
+             ("a program that reads case lines and writes them with its answers" + then).c_str(),
+             [&choice](const std::string& text) {
+               if (text.find_first_not_of(" \t\n") == text.npos)
+                 throw Error("--program: expected a command");
+               choice.program = text;
+             });
   add_option(
       command, "--patience", "SECONDS",
       "in which a plugin must answer a batch, or a program read or write something; default: "
@@ -77,7 +76,7 @@ inline void add_subjects_and_shapes(CLI::App& command, SubjectChoice& choice,
                                     std::vector<std::string>& shapes) {
   command.add_option("SUBJECT", choice.names, "names or globs, as textbook/* or '*/float'")
       ->type_name("");
-  add_bringers(command, choice);
+  add_bringers(command, choice, "without names, only what is brought along is chosen");
   add_program_format(command, choice);
   add_list(command, "--shape", "SHAPE,...", "names or globs", shapes)->delimiter(',');
 }

@@ -12,6 +12,7 @@
 #include "cli/lines.hpp"
 #include "cli/report_order.hpp"
 #include "cli/truth_words.hpp"
+#include "geometry/error.hpp"
 
 namespace rayaudit {
 namespace {
@@ -83,7 +84,10 @@ std::string line_of(const Finding& finding, const Worst& told) {
 
 }  // namespace
 
-void require_case_file(const std::string& file) { read_case_file(file); }
+void require_case_file(const std::string& file) {
+  if (file == "-") throw Error("--save-cases -: expected a file; standard output is a report's");
+  read_case_file(file);
+}
 
 void save_cases(const std::string& file, const std::vector<Audit>& audits) {
   const Lock lock(file);

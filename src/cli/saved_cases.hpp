@@ -7,8 +7,8 @@
 
 namespace rayaudit {
 
-/// Throws Error where a file that cases are to be added to holds what is no case line. A file that
-/// is not there is an empty one.
+/// Throws Error where a file that cases are to be added to holds what is no case line, or is `-`. A
+/// file that is not there is an empty one.
 void require_case_file(const std::string& file);
 
 /// Adds the minimal case of every finding to a file, each on a line with its truth and why it is

@@ -82,9 +82,11 @@ Answer answer_of(const rayaudit_answer& answer) {
 
 Convention convention_of(const rayaudit_convention* convention) {
   if (convention == nullptr) return {};
-  const std::optional<Convention> made = from_flat(*convention);
-  if (!made) throw NoneSuch{};
-  return *made;
+  try {
+    return from_flat(*convention);
+  } catch (const Error&) {
+    throw NoneSuch{};
+  }
 }
 
 const Format& format_of_number(std::int32_t format) {

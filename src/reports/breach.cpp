@@ -21,11 +21,13 @@ std::optional<Breach> breach(const FailOn& fail_on, const Tally& tally) {
                   fmt::format("a t is off by {} ulps, more than {}",
                               figures::magnitude(tally.ulps.largest()), *fail_on.most_ulps),
                   &*tally.worst_ulps};
-  if (fail_on.asks_anything() && tally.unasked > 0 && tally.widest() != nullptr)
+  if (fail_on.asks_anything() && tally.unasked > 0) {
+    const Worst* widest = tally.widest();
     return Breach{"unasked",
                   fmt::format("{} cases were not asked after {}", grouped(tally.unasked),
                               grouped(tally.cases)),
-                  tally.widest()};
+                  widest != nullptr ? widest : tally.worst(Verdict::invalid_mishandled)};
+  }
   return std::nullopt;
 }
 

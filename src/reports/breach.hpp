@@ -20,7 +20,7 @@ struct FailOn {
 struct Breach {
   std::string_view type;  ///< a verdict, max_ulp or unasked
   std::string words;      ///< `37 of 10,000 cases false_miss`
-  const Worst* worst;     ///< points into the tally
+  const Worst* worst;     ///< points into the tally; null where nothing in it is wrong
 };
 std::optional<Breach> breach(const FailOn& fail_on, const Tally& tally);
 

@@ -12,7 +12,7 @@ namespace rayaudit {
 struct Failure {
   std::string_view type;  ///< a verdict, or the quantity of a limit
   std::string told;       ///< what is wrong and how often, in a sentence without its full stop
-  const Worst* worst;     ///< points into the audit
+  const Worst* worst;     ///< points into the audit; of cases not asked it may be null
 };
 
 /// The failures of an audit. Where its run is held to anything, the limits it breaks, in the order

@@ -31,8 +31,9 @@ std::string message(const TestCase& of) {
 std::string failure(const TestCase& of, const Convention& stated) {
   std::string text;
   for (const Failure& each : of.failures)
-    text += fmt::format("{}{}\n{}", text.empty() ? "" : "\n", each.told,
-                        failure_block(*each.worst, *of.audit->subject, stated));
+    text += fmt::format(
+        "{}{}\n{}", text.empty() ? "" : "\n", each.told,
+        each.worst == nullptr ? "" : failure_block(*each.worst, *of.audit->subject, stated));
   return "    <failure" + xml_attribute("type", of.failures.front().type) +
          xml_attribute("message", message(of)) + '>' + xml_text(text) + "</failure>\n";
 }

@@ -34,7 +34,7 @@ Json told(const std::optional<Break>& broken) {
           {"limit", broken->limit.quantity->name},
           {"seen", number(broken->seen)},
           {"most", number(broken->limit.most)},
-          {"case", answered_line(broken->worst)}};
+          {"case", broken->worst ? Json(answered_line(*broken->worst)) : Json()}};
 }
 
 Json told(const Climb& climb) {

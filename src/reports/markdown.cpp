@@ -34,14 +34,16 @@ std::string verdict(const Run& run) {
   std::string of = fmt::format("{} of {}", grouped(wrong), plural(cases, "case", "cases"));
   const std::string missing = unasked > 0 ? fmt::format(", {} not asked", grouped(unasked)) : "";
   const std::string audits = plural(run.audits.size(), "audit", "audits");
+  const bool is_to_fail = run.fail_on.asks_anything();
+  if (run.plan.bounds.empty() && failed == 0)
+    return fmt::format("**rayaudit: all {} hold**; {} wrong{}", audits, of, missing);
   if (run.plan.bounds.empty())
-    return failed == 0 ? fmt::format("**rayaudit: all {} hold**; {} wrong{}", audits, of, missing)
-                       : fmt::format("**rayaudit: {} of {} have wrong answers**; {} wrong{}",
-                                     grouped(failed), audits, of, missing);
+    return fmt::format("**rayaudit: {} of {} {}**; {} wrong{}", grouped(failed), audits,
+                       is_to_fail ? "fail by --fail-on" : "have wrong answers", of, missing);
   if (failed == 0)
     return fmt::format("**rayaudit: every bound is kept** in {}; {} wrong{}", audits, of, missing);
-  return fmt::format("**rayaudit: bounds are broken** in {} of {}; {} wrong{}", grouped(failed),
-                     audits, of, missing);
+  return fmt::format("**rayaudit: bounds are broken{}** in {} of {}; {} wrong{}",
+                     is_to_fail ? ", or --fail-on" : "", grouped(failed), audits, of, missing);
 }
 
 /// A subject over all families of each shape.
@@ -95,19 +97,23 @@ std::string details(const Finding& finding, const Convention& stated) {
   return folded(summary, failure_block(finding.example, *finding.audit->subject, stated));
 }
 
-/// What is worth a look, worst first: the limits that are broken, else the findings.
+/// What is worth a look: what fails the run; then, where it is held to no bounds, the findings,
+/// worst first.
 std::vector<std::string> all_details(const Run& run) {
+  const bool is_bound = !run.plan.bounds.empty();
   std::vector<std::string> all;
-  if (run.plan.bounds.empty()) {
-    for (const Finding& finding : findings(run.audits))
-      all.push_back(details(finding, run.plan.convention));
-    return all;
-  }
-  for (const Audit& audit : run.audits)
+  for (const Audit& audit : run.audits) {
+    if (!is_bound && !run.fail_on.asks_anything()) break;
     for (const Failure& failure : failures(audit, run))
       all.push_back(folded(fmt::format("{} on {}, family {}: {}", audit.subject->name,
                                        shape_names[audit.shape], audit.family->id, failure.told),
-                           failure_block(*failure.worst, *audit.subject, run.plan.convention)));
+                           failure.worst == nullptr ? ""
+                                                    : failure_block(*failure.worst, *audit.subject,
+                                                                    run.plan.convention)));
+  }
+  if (is_bound) return all;
+  for (const Finding& finding : findings(run.audits))
+    all.push_back(details(finding, run.plan.convention));
   return all;
 }
 

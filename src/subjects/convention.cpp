@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+
+#include "geometry/error.hpp"
 
 namespace rayaudit {
 namespace {
@@ -26,7 +29,26 @@ void normalise(Ray<double>& ray, const Format& format) {
     if (std::isfinite(*t)) *t = in_format(*t * size * length, format);
 }
 
+std::string figure(double x) {
+  std::string text(32, '\0');
+  text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%g", x)));
+  return text;
+}
+
+/// Is the length as near to 1 as normalising in the format brings it?
+bool is_unit(const Vec3<double>& direction, const Format& format) {
+  const auto [x, y, z] = in<long double>(direction);
+  return std::fabs(x * x + y * y + z * z - 1) <= std::ldexp(2.0L, format.unit_exponent());
+}
+
 }  // namespace
+
+bool has_range(const Convention& convention) { return convention.t_min < convention.t_max; }
+
+std::string empty_range(const Convention& convention) {
+  return "the empty range from " + figure(convention.t_min) + " to " + figure(convention.t_max) +
+         " for t";
+}
 
 Convention joined(const Convention& first, const Convention& second) {
   Convention made = first;
@@ -37,6 +59,8 @@ Convention joined(const Convention& first, const Convention& second) {
   made.line |= second.line;
   made.t_min = std::max(made.t_min, second.t_min);
   made.t_max = std::min(made.t_max, second.t_max);
+  if (!has_range(made))
+    throw Error("--convention leaves, with what a subject declares itself, " + empty_range(made));
   return made;
 }
 
@@ -56,6 +80,22 @@ Case posed(const Case& question, const Convention& convention, const Format& for
   if (made.ray.t_min < convention.t_min) made.ray.t_min = convention.t_min;
   if (made.ray.t_max > convention.t_max) made.ray.t_max = convention.t_max;
   return made;
+}
+
+Case rounded(const Case& question, const Format& format) {
+  Case made = question;
+  const auto round = [&](double& x) { x = in_format(x, format); };
+  each_number(made, round);
+  round(made.ray.t_min), round(made.ray.t_max);
+  return made;
+}
+
+Case asked(const Case& question, const Convention& convention, const Format& format) {
+  const Case made = rounded(question, format);
+  Convention left = convention;
+  // Normalised again, one direction in a hundred would become another.
+  if (is_unit(made.ray.direction, format)) left.unit_direction = false;
+  return posed(made, left, format);
 }
 
 }  // namespace rayaudit

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <string>
 
 #include "geometry/case.hpp"
 #include "geometry/format.hpp"
@@ -32,7 +33,14 @@ struct Convention {
   friend bool operator==(const Convention&, const Convention&) = default;
 };
 
-/// What either declares; where both do, the first.
+/// Is there room for any t in the range?
+bool has_range(const Convention& convention);
+
+/// The range of one that has no room, in words: `the empty range from 2 to 1 for t`.
+std::string empty_range(const Convention& convention);
+
+/// What either declares; where both do, the first. Throws Error where their ranges have no t in
+/// common.
 Convention joined(const Convention& first, const Convention& second);
 
 /// Is any case asked otherwise under the convention than it was drawn?
@@ -41,5 +49,12 @@ bool poses(const Convention& convention);
 /// The case as it is asked under the convention: with a direction normalised in the format, and a
 /// range that the subject answers in.
 Case posed(const Case& question, const Convention& convention, const Format& format);
+
+/// The case in numbers of a format that cases are drawn in: floats for float, else as it is.
+Case rounded(const Case& question, const Format& format);
+
+/// Any case as a subject is asked it whose cases are drawn in the format: rounded, then posed. What
+/// was asked so already stays as it is.
+Case asked(const Case& question, const Convention& convention, const Format& format);
 
 }  // namespace rayaudit

@@ -1,24 +1,46 @@
 #include "subjects/flat_convention.hpp"
 
-namespace rayaudit {
+#include <string>
 
-std::optional<Convention> from_flat(const rayaudit_convention& convention) {
-  const std::array stances = {convention.tangent, convention.rim, convention.apex,
-                              convention.start,   convention.end, convention.within};
+#include "geometry/error.hpp"
+
+namespace rayaudit {
+namespace {
+
+Error none_such(std::int32_t value, const std::string& towards, const std::string& word) {
+  return Error("its convention has " + std::to_string(value) + " for " + towards +
+               ", which is no " + word + " (0, 1 or 2)");
+}
+
+Convention::Stance stance(const char* towards, std::int32_t value) {
+  if (value < RAYAUDIT_EITHER || value > RAYAUDIT_IS_MISS)
+    throw none_such(value, towards, "rayaudit_stance");
+  return Convention::Stance{static_cast<std::uint8_t>(value)};
+}
+
+Convention::Inside inside(std::int32_t value) {
+  if (value < RAYAUDIT_INSIDE_IS_HIT || value > RAYAUDIT_INSIDE_IS_START)
+    throw none_such(value, "inside", "rayaudit_inside");
+  return Convention::Inside{static_cast<std::uint8_t>(value)};
+}
+
+}  // namespace
+
+Convention from_flat(const rayaudit_convention& said) {
+  using oracle::Kind;
   Convention made;
-  for (std::size_t i = 0; i < stances.size(); ++i) {
-    if (stances[i] < RAYAUDIT_EITHER || stances[i] > RAYAUDIT_IS_MISS) return {};
-    made.stances[1 + i] = Convention::Stance{static_cast<std::uint8_t>(stances[i])};
-  }
-  if (convention.inside < RAYAUDIT_INSIDE_IS_HIT || convention.inside > RAYAUDIT_INSIDE_IS_START)
-    return {};
-  made.inside = Convention::Inside{static_cast<std::uint8_t>(convention.inside)};
-  made.unit_direction = convention.unit_direction != 0;
-  made.line = convention.line != 0;
-  if (convention.t_min == 0 && convention.t_max == 0) return made;
-  if (!(convention.t_min < convention.t_max)) return {};
-  made.t_min = convention.t_min;
-  made.t_max = convention.t_max;
+  made.of(Kind::tangent) = stance("tangent", said.tangent);
+  made.of(Kind::rim) = stance("rim", said.rim);
+  made.of(Kind::apex) = stance("apex", said.apex);
+  made.of(Kind::start) = stance("start", said.start);
+  made.of(Kind::end) = stance("end", said.end);
+  made.of(Kind::within) = stance("within", said.within);
+  made.inside = inside(said.inside);
+  made.unit_direction = said.unit_direction != 0;
+  made.line = said.line != 0;
+  if (said.t_min == 0 && said.t_max == 0) return made;
+  made.t_min = said.t_min, made.t_max = said.t_max;
+  if (!has_range(made)) throw Error("its convention has " + empty_range(made));
   return made;
 }
 

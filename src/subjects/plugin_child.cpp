@@ -246,7 +246,11 @@ void PluginChild::wait_for(short event) {
     const int ready = poll(&socket, 1, static_cast<int>(std::min(left, between_looks).count()));
     if (ready > 0 || (ready < 0 && errno != EINTR)) return;
     // What it has started may hold the socket open beyond its end.
-    if (ends_within(child_, {})) tell_end();
+    if (ends_within(child_, {})) {
+      // Between the look at the socket and the one at the child it may have said its last words.
+      if (poll(&socket, 1, 0) > 0) return;
+      tell_end();
+    }
     if (left.count() == 0) break;
   }
   throw Broken{Asked::End::silent,

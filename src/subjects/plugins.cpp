@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <cstdio>
 #include <memory>
 #include <system_error>
 
 #include "geometry/error.hpp"
 #include "geometry/quotation.hpp"
 #include "geometry/unknown_name.hpp"
+#include "subjects/flat_convention.hpp"
 #include "subjects/plugin_child.hpp"
 #include "subjects/unbroken.hpp"
 
@@ -36,50 +35,17 @@ const Format& format_of_name(const PluginSubject& subject) {
   throw mistake(subject, unknown_name("format", name, known));
 }
 
-Convention::Stance stance(const PluginSubject& subject, const char* towards, std::int32_t value) {
-  if (value < RAYAUDIT_EITHER || value > RAYAUDIT_IS_MISS)
-    throw mistake(subject, std::string("its convention has ") + std::to_string(value) + " for " +
-                               towards + ", which is no rayaudit_stance (0, 1 or 2)");
-  return Convention::Stance{static_cast<std::uint8_t>(value)};
-}
-
-std::string figure(double x) {
-  std::string text(32, '\0');
-  text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%g", x)));
-  return text;
-}
-
 Convention convention_of(const PluginSubject& subject) {
-  using oracle::Kind;
-  const rayaudit_convention& said = subject.convention;
-  Convention made;
-  made.of(Kind::tangent) = stance(subject, "tangent", said.tangent);
-  made.of(Kind::rim) = stance(subject, "rim", said.rim);
-  made.of(Kind::apex) = stance(subject, "apex", said.apex);
-  made.of(Kind::start) = stance(subject, "start", said.start);
-  made.of(Kind::end) = stance(subject, "end", said.end);
-  made.of(Kind::within) = stance(subject, "within", said.within);
-  if (said.inside < RAYAUDIT_INSIDE_IS_HIT || said.inside > RAYAUDIT_INSIDE_IS_START)
-    throw mistake(subject, "its convention has " + std::to_string(said.inside) +
-                               " for inside, which is no rayaudit_inside (0, 1 or 2)");
-  made.inside = Convention::Inside{static_cast<std::uint8_t>(said.inside)};
-  made.unit_direction = said.unit_direction != 0;
-  made.line = said.line != 0;
-  if (said.t_min == 0 && said.t_max == 0) return made;
-  if (!(said.t_min < said.t_max))
-    throw mistake(subject, "its convention has the empty range from " + figure(said.t_min) +
-                               " to " + figure(said.t_max) + " for t");
-  made.t_min = said.t_min, made.t_max = said.t_max;
-  return made;
+  try {
+    return from_flat(subject.convention);
+  } catch (const Error& why) {
+    throw mistake(subject, why.what());
+  }
 }
 
 void require_word(const PluginSubject& subject) {
   const std::string_view name = subject.name;
-  const auto is_plain = [](char letter) {
-    return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
-           std::string_view("_+-.").find(letter) != std::string_view::npos;
-  };
-  if (name.empty() || !std::all_of(name.begin(), name.end(), is_plain))
+  if (name.empty() || !std::all_of(name.begin(), name.end(), is_letter_of_name))
     throw mistake(subject, "a name is one word of letters, digits and `_`, `+`, `-`, `.`");
 }
 

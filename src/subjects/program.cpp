@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cctype>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -156,12 +158,46 @@ class Program {
   std::atomic<int> hung_ = 0;  ///< runs
 };
 
-/// The base name of the first word of a command, and the format.
-std::string name_of(const std::string& command, const Format& format) {
-  constexpr const char* white = " \t\n";
-  const std::size_t begin = command.find_first_not_of(white);
-  const std::string word = command.substr(begin, command.find_first_of(white, begin) - begin);
-  const std::string name = word.substr(word.rfind('/') + 1) + '/' + std::string(format.name);
+/// Takes the first word off a command as a shell does, who lets quotes hold it together.
+std::string take_word(std::string_view& command) {
+  constexpr std::string_view white = " \t\n";
+  command.remove_prefix(std::min(command.find_first_not_of(white), command.size()));
+  std::string word;
+  char quote = 0;
+  for (; !command.empty(); command.remove_prefix(1)) {
+    const char letter = command.front();
+    if (quote == 0 && white.find(letter) != white.npos) break;
+    if (letter == quote)
+      quote = 0;
+    else if (quote == 0 && (letter == '\'' || letter == '"'))
+      quote = letter;
+    else
+      word += letter;
+  }
+  return word;
+}
+
+/// Does a word set a variable for the program after it?
+bool is_assignment(const std::string& word) {
+  const std::size_t equals = word.find('=');
+  return equals != word.npos && equals > 0 &&
+         std::all_of(
+             word.begin(), word.begin() + static_cast<std::ptrdiff_t>(equals),
+             [](unsigned char letter) { return std::isalnum(letter) != 0 || letter == '_'; });
+}
+
+/// The base name of a program, with `_` for what a name of a subject does not have.
+std::string base_name(const std::string& program) {
+  std::string name = program.substr(program.rfind('/') + 1);
+  std::replace_if(name.begin(), name.end(), std::not_fn(is_letter_of_name), '_');
+  return name.find_first_not_of('_') == name.npos ? "program" : name;
+}
+
+/// The base name of the program that a command runs first, and the format.
+std::string name_of(std::string_view command, const Format& format) {
+  std::string word = take_word(command);
+  while (is_assignment(word)) word = take_word(command);
+  const std::string name = base_name(word) + '/' + std::string(format.name);
   // By its name a routine of ours would be replayed for the program.
   const std::vector<Subject>& ours = all_subjects();
   const bool is_ours = std::any_of(ours.begin(), ours.end(),

@@ -1,6 +1,13 @@
 #include "subjects/subject.hpp"
 
+#include <string_view>
+
 namespace rayaudit {
+
+bool is_letter_of_name(char letter) {
+  return std::string_view("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_+-.")
+             .find(letter) != std::string_view::npos;
+}
 
 void answer_mixed(const Subject& subject, std::span<const Case> cases, std::span<Answer> answers) {
   for (std::size_t begin = 0; begin < cases.size();) {

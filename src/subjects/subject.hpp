@@ -57,6 +57,10 @@ struct Subject {
   const Format& drawn_in() const { return format == float_format ? float_format : double_format; }
 };
 
+/// May a letter stand in the name of a routine that is brought along? Others mean something to a
+/// shell, a glob or a report.
+bool is_letter_of_name(char letter);
+
 /// As many cases are put to a subject elsewhere at once, where there are so many.
 inline constexpr std::size_t batch_elsewhere = 16'384;
 

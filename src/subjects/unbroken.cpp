@@ -18,7 +18,19 @@ Answer in_place_of_answer(const Asked& trouble) {
   }
 }
 
+/// How many time-outs fit into a time.
+std::size_t fitting(std::chrono::milliseconds time, std::chrono::milliseconds patience,
+                    std::size_t least) {
+  return std::max(least, static_cast<std::size_t>(time / patience));
+}
+
 }  // namespace
+
+Unbroken::Unbroken(Ask ask, std::chrono::milliseconds patience)
+    : ask_(std::move(ask)),
+      patience_(patience),
+      time_outs_a_call_(fitting(waiting_a_call, patience, least_time_outs_a_call)),
+      most_time_outs_(fitting(most_waiting, patience, least_time_outs)) {}
 
 void Unbroken::answer(std::span<const Case> cases, std::span<Answer> answers) {
   const std::lock_guard lock(mutex_);
@@ -36,7 +48,7 @@ void Unbroken::answer(std::span<const Case> cases, std::span<Answer> answers) {
 }
 
 Answer Unbroken::answer_to(const Case& question) {
-  if (time_outs_alone_ == most_time_outs) return Answer::unasked();
+  if (time_outs_alone_ == most_time_outs_) return Answer::unasked();
   Answer said;
   const Asked asked = ask_({&question, 1}, {&said, 1}, Manner::at_once);
   if (asked.end == Asked::End::answered) return said;
@@ -111,8 +123,8 @@ void Unbroken::count(const Asked& trouble, Troubles& call) {
 }
 
 bool Unbroken::is_enough(const Troubles& call) const {
-  return call.crashes >= crashes_a_call || call.time_outs >= time_outs_a_call ||
-         all_.crashes >= most_crashes || all_.time_outs >= most_time_outs;
+  return call.crashes >= crashes_a_call || call.time_outs >= time_outs_a_call_ ||
+         all_.crashes >= most_crashes || all_.time_outs >= most_time_outs_;
 }
 
 /// From what cases took, how many of them may be asked at once: a quarter of its patience is left

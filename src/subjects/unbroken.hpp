@@ -16,15 +16,17 @@ class Unbroken {
  public:
   using Ask = std::function<Asked(std::span<const Case>, std::span<Answer>, Manner)>;
 
-  /// Of one call so many crashes and time-outs are told, then the rest is unasked; of all calls so
-  /// many, then all is. A case that is asked alone is so in any case, but for time-outs.
-  static constexpr std::size_t crashes_a_call = 16, time_outs_a_call = 2;
-  static constexpr std::size_t most_crashes = 512, most_time_outs = 3;
+  /// Of one call so many crashes are told, then the rest is unasked; of all calls so many, then all
+  /// is. A case that is asked alone is so in any case, but for time-outs.
+  static constexpr std::size_t crashes_a_call = 16, most_crashes = 512;
+  /// As many time-outs are told as can be waited for in so long, or the least number. So much again
+  /// is left to those that are asked alone.
+  static constexpr std::chrono::seconds waiting_a_call{4}, most_waiting{6};
+  static constexpr std::size_t least_time_outs_a_call = 2, least_time_outs = 3;
   static constexpr std::size_t largest_batch = 1024;
 
   /// What asks is patient for so long.
-  Unbroken(Ask ask, std::chrono::milliseconds patience)
-      : ask_(std::move(ask)), patience_(patience) {}
+  Unbroken(Ask ask, std::chrono::milliseconds patience);
 
   /// From any thread, one call at a time.
   void answer(std::span<const Case> cases, std::span<Answer> answers);
@@ -49,6 +51,7 @@ class Unbroken {
 
   const Ask ask_;
   const std::chrono::nanoseconds patience_;
+  const std::size_t time_outs_a_call_, most_time_outs_;
   std::mutex mutex_;
   Manner manner_ = Manner::at_once;
   std::size_t at_once_ = largest_batch;

@@ -150,6 +150,36 @@ BOOST_AUTO_TEST_CASE(each_wrong_verdict_breaks_its_limit_and_that_of_all) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(what_crashed_or_hung_breaks_its_limit_and_that_of_all) {
+  for (const Verdict verdict : {Verdict::crashed, Verdict::timed_out}) {
+    HandMade made;
+    turn(made.add("mine/float", sphere, "far"), verdict, Claim::none, 3, 7, 0);
+    const std::string limit(name(verdict));
+    check(broken_by("* * * " + limit + " 2 observed", made), {limit + " 3 at 7"});
+    check(broken_by("* * * " + limit + " 3 observed", made), {});
+    check(broken_by("* * * wrong 2 observed", made), {"wrong 3 at 7"});
+    check(broken_by("* * * false_hit 0 invalid_mishandled 0 observed", made), {});
+  }
+}
+
+BOOST_AUTO_TEST_CASE(cases_that_were_not_asked_break_every_row_that_does_not_grant_them) {
+  HandMade made;
+  Tally& tally = made.add("mine/float", sphere, "far");
+  turn(tally, Verdict::crashed, Claim::none, 3, 7, 0);
+  tally.unasked = 20;
+  check(broken_by("* * * crashed 3 observed", made), {"unasked 20 at 7"});
+  check(broken_by("* * * max_ulp 1e9 proved", made), {"unasked 20 at 7"});
+  check(broken_by("* * * crashed 3 unasked 19 observed", made), {"unasked 20 at 7"});
+  check(broken_by("* * * crashed 3 unasked 20 observed", made), {});
+  check(broken_by("* * rim crashed 3 observed", made), {});
+  HandMade silent;
+  silent.add("mine/float", sphere, "far").unasked = 20;
+  const std::vector<Broken> all = broken(read("* * * wrong 0 observed"), silent.audits);
+  BOOST_REQUIRE(all.size() == 1);
+  BOOST_TEST(all[0].limit.quantity->name == "unasked");
+  BOOST_TEST((all[0].worst == nullptr));
+}
+
 BOOST_AUTO_TEST_CASE(what_is_right_or_a_touch_breaks_no_count) {
   HandMade made;
   Tally& tally = made.add("textbook/float", sphere, "far");
@@ -228,6 +258,28 @@ BOOST_AUTO_TEST_CASE(what_is_observed_of_a_subject_that_holds) {
   BOOST_TEST(bounds[0].family == "rim-near");
   BOOST_TEST(!bounds[0].proved);
   check(limits_of(bounds[0]), {"wrong 0", "max_ulp 1.3", "max_forced 0.5"});
+}
+
+BOOST_AUTO_TEST_CASE(crashes_and_cases_not_asked_are_observed_of_subjects_elsewhere_only) {
+  HandMade made;
+  Tally& tally = made.add("mine/float", sphere, "far");
+  turn(tally, Verdict::crashed, Claim::none, 16, 1, 3);
+  turn(tally, Verdict::false_miss, Claim::none, 4, 1, 3);
+  tally.unasked = 84;
+  made.subjects[0].is_elsewhere = true;
+  check(limits_of(observed(made.audits)[0]),
+        {"false_hit 0", "wrong_root 0", "wrong_t 0", "not_finite 0", "timed_out 0",
+         "wrong_margin 3", "unasked 84"});
+  BOOST_TEST(broken(observed(made.audits), made.audits).empty());
+  HandMade whole;
+  turn(whole.add("mine/float", sphere, "far"), Verdict::false_miss, Claim::none, 4, 1, 3);
+  whole.subjects[0].is_elsewhere = true;
+  check(limits_of(observed(whole.audits)[0]),
+        {"false_hit 0", "wrong_root 0", "wrong_t 0", "not_finite 0", "crashed 0", "timed_out 0",
+         "unasked 0", "wrong_margin 3"});
+  whole.subjects[0].is_elsewhere = false;
+  check(limits_of(observed(whole.audits)[0]),
+        {"false_hit 0", "wrong_root 0", "wrong_t 0", "not_finite 0", "wrong_margin 3"});
 }
 
 /// What is observed with room of 2 where so many ulps were measured near 1, and one was the

@@ -7,6 +7,7 @@
 
 #include "audit/finding.hpp"
 #include "audit/simpler.hpp"
+#include "audit/transformation.hpp"
 #include "geometry/case_line.hpp"
 #include "subjects/subject_of.hpp"
 #include "tests/audit/named.hpp"
@@ -247,6 +248,49 @@ BOOST_AUTO_TEST_CASE(a_case_that_ends_a_process_is_asked_alone) {
   BOOST_TEST(together == 2);  // the causes of the case found and of the minimal one
   BOOST_TEST(least->question.ray.origin.x > 2);
   BOOST_TEST(least->question.ray.origin.y == 0);
+}
+
+BOOST_AUTO_TEST_CASE(what_takes_a_process_a_question_is_asked_few) {
+  for (const Answer& none : {Answer::crashed(11), Answer::garbage()}) {
+    std::size_t asked = 0;
+    Subject subject = {"ends", double_format, {}};
+    subject.is_elsewhere = true;
+    subject.answer[sphere] = [&](std::span<const Case> cases, std::span<Answer> answers) {
+      asked += cases.size();
+      for (std::size_t i = 0; i < cases.size(); ++i)
+        answers[i] = cases[i].ray.origin.x > 8.7 ? none : Answer::miss();
+    };
+    const Worst worst =
+        wrong(subject, "sphere 1.53 0.27 3.11 1.71 ray 9.27 0.73 2.87 -3.13 0.127 0.253");
+    asked = 0;
+    const auto least = minimal({}, audit_of(subject, sphere), worst);
+    BOOST_REQUIRE(least.has_value());
+    BOOST_TEST((simplicity(least->question) < simplicity(worst.question)));
+    // The last may be asked again, and for its cause.
+    BOOST_TEST(asked <= minimal_cases_without_answer + 1 + transformations().size());
+    BOOST_TEST(asked >= minimal_cases_without_answer);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(who_crashes_at_simpler_cases_is_asked_no_more_before_long) {
+  constexpr std::size_t at_once = 8;
+  std::size_t crashes = 0;
+  Subject subject = {"ends", double_format, {}};
+  subject.is_elsewhere = true;
+  subject.answer[sphere] = [&](std::span<const Case> cases, std::span<Answer> answers) {
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      const bool ends = cases.size() > at_once && i < at_once;
+      answers[i] = ends ? Answer::crashed(11) : Answer::miss();
+      crashes += ends;
+    }
+  };
+  const Worst worst =
+      wrong(subject, "sphere 1.53 0.27 3.11 1.71 ray 9.27 0.73 2.87 -3.13 0.127 0.253");
+  crashes = 0;
+  const auto least = minimal({}, audit_of(subject, sphere), worst);
+  BOOST_REQUIRE(least.has_value());
+  BOOST_TEST(crashes >= minimal_cases_without_answer);
+  BOOST_TEST(crashes <= minimal_cases_without_answer + 2 * at_once);  // its cause is looked for too
 }
 
 BOOST_AUTO_TEST_CASE(conduct_on_an_invalid_case_is_shown_by_one_as_invalid) {

@@ -80,6 +80,16 @@ BOOST_AUTO_TEST_CASE(an_incomplete_command_line_is_refused) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_convention_without_any_t_is_refused) {
+  const std::pair<std::string, std::string> ranges[] = {{"t_min=3,t_max=2", "3 to 2"},
+                                                        {"t_max=2,rim=hit,t_min=2", "2 to 2"},
+                                                        {"t_min=inf", "inf to inf"}};
+  for (const auto& [range, told] : ranges)
+    for (const std::string command : {"audit", "judge", "check found.txt", "explain found.txt:1"})
+      BOOST_TEST(run("rayaudit " + command + " --convention " + range) ==
+                 refused(2, "--convention has the empty range from " + told + " for t"));
+}
+
 BOOST_AUTO_TEST_CASE(a_family_that_does_not_draw_the_shape_draws_nothing) {
   BOOST_TEST(run("rayaudit draw --shape disk --family tangent --count 3") ==
              refused(2,

@@ -97,6 +97,18 @@ BOOST_AUTO_TEST_CASE(an_unknown_name_is_refused_with_the_nearest_known_one) {
   BOOST_TEST(run("rayaudit cost --al-ways").code == 2);
 }
 
+BOOST_AUTO_TEST_CASE(a_program_is_refused_for_it_has_no_time_by_the_case) {
+  for (const std::string more : {"", " --format float", " textbook/float", " --patience 1"})
+    BOOST_TEST(run("rayaudit cost --program \"sed 's/$/ miss/'\"" + more) ==
+               refused(2,
+                       "cost: --program: what a program takes is mostly to be started and to read "
+                       "and write text, so it has no time by the case; bring the routine as a "
+                       "plugin (--plugin)"));
+  const std::string help = run("rayaudit cost --help").out;
+  BOOST_TEST(contains(help, "--plugin"));
+  BOOST_TEST(!contains(help, "--program"));
+}
+
 BOOST_AUTO_TEST_CASE(a_number_out_of_range_is_refused) {
   BOOST_TEST(run("rayaudit cost --cases 0") == refused(2, "--cases must be at least 1, got `0`"));
   BOOST_TEST(run("rayaudit cost --rounds 2") == refused(2, "--rounds must be at least 3, got `2`"));

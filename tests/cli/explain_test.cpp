@@ -124,6 +124,18 @@ BOOST_AUTO_TEST_CASE(a_declared_convention_is_held) {
                       " false_hit declined "));
 }
 
+BOOST_AUTO_TEST_CASE(an_answer_that_is_declared_otherwise_has_its_cause_in_the_convention) {
+  const auto ended =
+      run("rayaudit explain --convention tangent=miss --subject textbook/double "
+          "'sphere 0 0 0 1 ray 0 1 -3 0 0 1'");
+  const std::size_t row = ended.out.find("\ntextbook/double ");
+  BOOST_REQUIRE(row != ended.out.npos);
+  const std::string line = ended.out.substr(row, ended.out.find('\n', row + 1) - row);
+  BOOST_TEST(contains(line, " false_hit declined "), line);
+  BOOST_TEST(line.ends_with(" convention"), line);
+  BOOST_TEST(contains(ended.out, "\ncause     convention\n"), ended);
+}
+
 BOOST_AUTO_TEST_CASE(a_subject_that_cannot_be_followed_says_so) {
   BOOST_TEST(contains(
       run("rayaudit explain --subject certified/float sphere 0 0 0 1 ray 0 0 -3 0 0 1").out,
@@ -136,12 +148,71 @@ BOOST_AUTO_TEST_CASE(a_subject_that_cannot_be_followed_says_so) {
              2);
 }
 
-BOOST_AUTO_TEST_CASE(subjects_in_float_are_not_asked_about_numbers_that_are_no_floats) {
-  const auto ended = run("rayaudit explain sphere 0 0 0 0.1 ray 0 0 -3 0 0 1");
-  BOOST_TEST(contains(ended.out, "textbook/double"));
-  BOOST_TEST(!contains(ended.out, "textbook/float"));
-  BOOST_TEST(contains(
-      ended.out, "\nsubjects in float are not asked: the case has numbers that are no floats\n"));
+BOOST_AUTO_TEST_CASE(subjects_in_float_are_asked_and_judged_by_the_case_in_floats) {
+  const auto ended = run("rayaudit explain sphere 0 0 0 0.1 ray 0 0 -3 0 0 1 range 0 0x1.8p+60");
+  BOOST_TEST(
+      contains(ended.out, "\ntextbook/float               hit 2.899999               right "),
+      ended);
+  BOOST_TEST(contains(ended.out,
+                      " of them are asked the case rounded to float: sphere 0x0p+0 0x0p+0 0x0p+0 "
+                      "0x1.99999ap-4 ray 0x0p+0 0x0p+0 -0x1.8p+1 0x0p+0 0x0p+0 0x1p+0 range "
+                      "0x0p+0 0x1.8p+60\n"),
+             ended);
+  BOOST_TEST(!contains(run("rayaudit explain sphere 0 0 0 0.5 ray 0 0 -3 0 0 1").out, " asked "));
+}
+
+namespace {
+
+/// Of a subject that relies on unit directions, and of what it is asked then.
+const std::string of_unit_directions =
+    "rayaudit explain --subject unit_direction/double --convention direction=unit ";
+const std::string twice_as_long = "'sphere 0 0 0 1 ray 0 0.5 -3 0 0 2'";
+const std::string normalised =
+    "sphere 0x0p+0 0x0p+0 0x0p+0 0x1p+0 ray 0x0p+0 0x1p-1 -0x1.8p+1 0x0p+0 0x0p+0 0x1p+0";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_case_is_put_as_the_convention_has_it_and_so_followed) {
+  BOOST_TEST(contains(run("rayaudit explain " + twice_as_long).out,
+                      "\nunit_direction/double        hit 0.7321731235736308     wrong_t "));
+  const auto ended = run(of_unit_directions + twice_as_long);
+  BOOST_TEST(
+      contains(ended.out, "\nunit_direction/double        hit 2.1339745962155616     right "),
+      ended);
+  BOOST_TEST(contains(ended.out,
+                      " are asked the case posed as the convention has it: " + normalised + '\n'),
+             ended);
+  BOOST_TEST(!contains(ended.out, "\ncause "), ended);  // nothing is wrong
+  const auto steps = [](const shell::Ended& of) {
+    return of.out.substr(of.out.find("unit_direction/double, step by step:"));
+  };
+  BOOST_TEST(steps(ended) ==
+             steps(run("rayaudit explain --subject unit_direction/double '" + normalised + "'")));
+}
+
+BOOST_AUTO_TEST_CASE(a_test_to_paste_holds_the_case_as_it_is_asked) {
+  const auto ended = run(of_unit_directions + "--as gtest " + twice_as_long);
+  BOOST_TEST(contains(ended.out, "/* " + normalised + " */\n/* posed as the convention has it */"),
+             ended);
+  BOOST_TEST(contains(ended.out, "  const double direction[3] = {0x0p+0, 0x0p+0, 0x1p+0};\n"));
+  const auto in_float =
+      run("rayaudit explain --as c --format float 'sphere 0 0 0 0.1 ray 0 0 -3 0 0 1 # thin'");
+  BOOST_TEST(contains(in_float.out, "/* thin; rounded to float */"), in_float);
+  BOOST_TEST(contains(in_float.out, "  const float radius = 0x1.99999ap-4f;\n"), in_float);
+}
+
+BOOST_AUTO_TEST_CASE(who_does_not_answer_is_told_in_its_row_and_the_others_are_asked) {
+  const std::string line = " --program false sphere 0 0 0 1 ray 0 0 -3 0 0 1";
+  const auto ended = run("rayaudit explain" + line);
+  BOOST_TEST(ended.code == 0, ended);
+  BOOST_TEST(ended.err == "");
+  BOOST_TEST(contains(ended.out, "\ntextbook/double              hit 2 "), ended);
+  BOOST_TEST(contains(ended.out, "\nfalse/double                 does not answer: its program "),
+             ended);
+  const auto followed = run("rayaudit explain --subject false/double" + line);
+  BOOST_TEST(followed.code == 1);
+  BOOST_TEST(contains(followed.out, "\nfalse/double                 does not answer: "), followed);
+  BOOST_TEST(contains(followed.err, "rayaudit: false/double does not answer: "), followed);
 }
 
 BOOST_AUTO_TEST_CASE(the_answer_on_the_line_is_judged_first_in_the_format_asked_for) {
@@ -247,6 +318,21 @@ BOOST_AUTO_TEST_CASE(a_pasted_test_of_a_touch_takes_either) {
   BOOST_TEST(ended_as_c(miss, "double", "*t = 3; return true;") > 2);
 }
 
+BOOST_AUTO_TEST_CASE(a_pasted_test_of_a_hit_from_inside_holds_what_is_declared_of_it) {
+  const auto ends = [](const std::string& inside, const std::string& answer) {
+    return ended_as_c(inside + "sphere 0 0 0 1 ray 0 0 0 0 0 1 range 0.5 inf", "double", answer);
+  };
+  const std::string hit = "*t = 1; return true;", start = "*t = 0.5; return true;";
+  const std::string miss = "return false;";
+  BOOST_TEST(ends("", hit) == 0);
+  BOOST_TEST(ends("", miss) > 2);
+  BOOST_TEST(ends("--convention inside=miss ", miss) == 0);
+  BOOST_TEST(ends("--convention inside=miss ", hit) > 2);
+  BOOST_TEST(ends("--convention inside=start ", start) == 0);
+  BOOST_TEST(ends("--convention inside=start ", hit) > 2);
+  BOOST_TEST(ends("--convention inside=start ", miss) > 2);
+}
+
 BOOST_AUTO_TEST_CASE(a_pasted_test_of_boost_runs) {
   const Folder folder;
   folder.write("stub.cpp", stub("double", "*t = 3; return true;"));
@@ -274,8 +360,6 @@ BOOST_AUTO_TEST_CASE(pasted_tests_of_other_frameworks_compile_where_they_are_the
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_test_to_paste_needs_numbers_of_its_format) {
-  BOOST_TEST(run("rayaudit explain --as c --format float sphere 0 0 0 0.1 ray 0 0 -3 0 0 1") ==
-             shell::refused(2, "--as: the case has numbers that are none of float"));
+BOOST_AUTO_TEST_CASE(a_test_to_paste_is_for_a_framework_that_is_known) {
   BOOST_TEST(run("rayaudit explain --as junit " + grazing).code == 2);
 }

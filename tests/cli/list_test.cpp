@@ -25,6 +25,31 @@ BOOST_AUTO_TEST_CASE(subjects_are_listed_with_the_shapes_that_they_answer) {
                       "only\n"));
 }
 
+BOOST_AUTO_TEST_CASE(a_program_is_listed_first_in_its_format) {
+  const std::string list = "rayaudit list subjects --program 'A=1 ./mine --flag'";
+  BOOST_TEST(
+      run(list + " --format float")
+          .out.starts_with("mine/float                          disk sphere cylinder cone\n"));
+  BOOST_TEST(run(list).out.starts_with("mine/double "));
+  BOOST_TEST(run("rayaudit list --format float").code == 2);
+}
+
+BOOST_AUTO_TEST_CASE(help_says_what_becomes_of_what_is_brought_along) {
+  const auto told = [](const std::string& command, const std::string& use) {
+    const auto help = run("rayaudit " + command + " --help | tr -s ' \\n' ' '").out;
+    for (const std::string brought :
+         {"a shared object that brings subjects (rayaudit/plugin.h); ",
+          "a program that reads case lines and writes them with its answers; "})
+      BOOST_TEST(contains(help, brought + use), help);
+  };
+  for (const std::string command : {"audit", "ladder"})
+    told(command, "without names, only what is brought along is chosen");
+  told("list", "what it brings is listed first");
+  told("explain", "its answer is shown too, and --subject may name it");
+  told("check", "without --subject, only what is brought along is checked");
+  told("merge", "to be named again where the shards had it");
+}
+
 BOOST_AUTO_TEST_CASE(families_are_listed_with_shapes_strength_and_difficulty) {
   const auto ended = run("rayaudit list families");
   BOOST_TEST(contains(ended.out,

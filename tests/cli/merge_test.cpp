@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "tests/cli/shell.hpp"
+#include "tests/subjects/from_environment.hpp"
 
 using shell::contains;
 using shell::Folder;
@@ -34,6 +35,32 @@ BOOST_AUTO_TEST_CASE(every_report_of_merged_shards_is_that_of_one_run_to_the_byt
     BOOST_TEST((merged == at_once), report << ": " << merged.err);
     BOOST_TEST(at_once.out.size() > 1000u, report);
   }
+}
+
+BOOST_AUTO_TEST_CASE(shards_of_a_plugin_need_it_again_and_the_same) {
+  const Folder folder;
+  folder.run(std::string("cp '") + from_environment("mine_c") + "' mine.so; cp mine.so other.so");
+  const std::string mine = "rayaudit audit --plugin ./mine.so --cases 2500 --family far,anywhere ";
+  const auto sharded =
+      folder.run("for i in 1 2; do " + mine + "--shard $i/2 --report shard=$i.shard; done");
+  BOOST_TEST(sharded == shell::printed(""));
+  BOOST_TEST(folder.run("rayaudit merge 1.shard 2.shard") ==
+             refused(2,
+                     "`1.shard` is of no use here: subject `mine/double` is not here: it was "
+                     "brought by --plugin "
+                     "./mine.so, which is to be given again"));
+  const std::string merge = "rayaudit merge 1.shard 2.shard --report json --plugin ";
+  const auto at_once = folder.run(mine + "--report json");
+  BOOST_TEST(at_once.code == 0, at_once);
+  BOOST_TEST((folder.run(merge + "./mine.so") == at_once));
+  BOOST_TEST(folder.run(merge + "./other.so").code == 0);
+  folder.run("echo changed >>mine.so");  // what comes after its end is not loaded
+  BOOST_TEST(
+      folder.run(merge + "./mine.so") ==
+      refused(
+          2,
+          "`1.shard` is of no use here: subject `mine/double` is not what it was: format, shapes, "
+          "conventions or what it is made of differ"));
 }
 
 BOOST_AUTO_TEST_CASE(bounds_are_the_shards_and_judged_when_all_are_there) {

@@ -158,12 +158,22 @@ BOOST_AUTO_TEST_CASE(a_plugin_that_always_hangs_is_given_up_soon_and_what_was_no
   BOOST_TEST(ended.code == 0, ended);
   const Json told = Json::parse(ended.out);
   BOOST_TEST(told.at("audits").size() == 2);
-  BOOST_TEST(told.at("audits")[0].at("timed_out") == 2);
-  BOOST_TEST(told.at("audits")[1].at("timed_out") == 1);
-  BOOST_TEST(told.at("audits")[1].at("unasked") == 999);
+  BOOST_TEST(told.at("audits")[0].at("timed_out") == 40);
+  BOOST_TEST(told.at("audits")[1].at("timed_out") == 20);
+  BOOST_TEST(told.at("audits")[1].at("unasked") == 980);
   BOOST_TEST(ended.err ==
              "rayaudit: always_hangs/double was not asked about sphere, family far, "
              "unit, axis: it crashed or hung too often\n");
+}
+
+BOOST_AUTO_TEST_CASE(with_little_patience_each_case_that_hangs_is_told) {
+  const auto told =
+      first_audit(audited("hangs/double", "--family lattice --cases 3000 --patience 0.2"));
+  BOOST_TEST(told.at("cases") == 3000);
+  BOOST_TEST(told.at("timed_out") == std::stoi(run("rayaudit draw --shape sphere --family lattice "
+                                                   "--count 3000 | grep -c ' ray 0x1.ap+3 '")
+                                                   .out));
+  BOOST_TEST(told.at("timed_out") > 3);
 }
 
 BOOST_AUTO_TEST_CASE(patience_is_what_a_batch_is_given) {
@@ -195,6 +205,13 @@ BOOST_AUTO_TEST_CASE(a_plugin_that_cannot_be_audited_is_refused_before_anything_
       refused(2, named + "is of version 7 of rayaudit/plugin.h; known here are those up to 1"));
   BOOST_TEST(folder.run("FLAW='no subjects' " + audit + mistaken) ==
              refused(2, named + "names no subjects"));
+  BOOST_TEST(folder.run("FLAW=range " + audit + mistaken) ==
+             refused(2, named + "has a subject `second`: its convention has the empty range from "
+                                "2 to 1 for t"));
+  BOOST_TEST(folder.run("FLAW='late range' " + audit + mistaken + " --convention t_max=5") ==
+             refused(2,
+                     "--convention leaves, with what a subject declares itself, the empty range "
+                     "from 5 to 5 for t"));
   BOOST_TEST(folder.run("FLAW=crash " + audit + mistaken) ==
              refused(2, named + "was killed by SIGSEGV while it was loaded"));
   BOOST_TEST(folder.files() == 1);

@@ -259,6 +259,9 @@ BOOST_AUTO_TEST_CASE(what_there_is_not_is_refused) {
   Convention convention = {};
   convention.rim = 3;
   BOOST_TEST(rayaudit_judge(&half_up, &answer, 0, &convention, &judgement) == RAYAUDIT_NONE_SUCH);
+  convention = {};
+  convention.t_min = 2, convention.t_max = 1;
+  BOOST_TEST(rayaudit_judge(&half_up, &answer, 0, &convention, &judgement) == RAYAUDIT_NONE_SUCH);
   answer.form = 4;
   BOOST_TEST(rayaudit_judge(&half_up, &answer, 0, nullptr, &judgement) == RAYAUDIT_NONE_SUCH);
   BOOST_CHECK_THROW(truth(question), std::invalid_argument);

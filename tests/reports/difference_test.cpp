@@ -116,6 +116,35 @@ BOOST_AUTO_TEST_CASE(an_error_broke_where_it_is_more_than_twice_what_it_was_and_
   BOOST_TEST(held(made(0), with_error(7)).broke.empty());
 }
 
+/// So many crashes and wrong answers, and so large an error, of so many cases that were asked.
+HandMade crashed(std::uint64_t crashes, std::uint64_t wrong, double own, std::uint64_t cases) {
+  HandMade all = with_error(own);
+  Tally& tally = all.audits[0].tally;
+  turn(tally, Verdict::crashed, Claim::none, crashes);
+  if (wrong > 0) turn(tally, Verdict::false_hit, Claim::nan, wrong);
+  tally.unasked = 100 - cases;
+  tally.cases = cases;
+  return all;
+}
+
+BOOST_AUTO_TEST_CASE(where_not_all_cases_were_asked_crashes_alone_are_compared) {
+  const Difference more = held(crashed(3, 0, 1, 100), crashed(16, 9, 50, 40));
+  BOOST_TEST(more.partly == 1u);
+  BOOST_REQUIRE(more.broke.size() == 1u);
+  BOOST_TEST(more.broke[0].what == "crashed");
+  BOOST_TEST(more.fixed.empty());
+  BOOST_TEST(summary(more) ==
+             "1 broke, 0 fixed in 1 audit (1 of them by crashes and time-outs alone: not all cases "
+             "were asked)");
+  const Difference whole = held(crashed(3, 0, 1, 100), crashed(16, 9, 50, 100));
+  BOOST_TEST(whole.partly == 0u);
+  BOOST_TEST(whole.broke.size() == 3u);  // the false hits and the error too
+  // As many crashes, the worst of them another: of other cases that tells nothing.
+  HandMade other = crashed(3, 0, 1, 40);
+  other.audits[0].tally.outcome(Verdict::crashed, Claim::none).worst->question = known_case(7);
+  BOOST_TEST(held(crashed(3, 0, 1, 100), other).broke.empty());
+}
+
 BOOST_AUTO_TEST_CASE(what_is_gone_or_new_is_told_and_is_no_failure) {
   HandMade before = made(0), after = made(0);
   before.add(1, "rim");

@@ -44,7 +44,8 @@ struct HandMade {
     return tally;
   }
 
-  Run run() const { return {"1.2.3", plan, audits, environment}; }
+  FailOn fail_on;
+  Run run() const { return {"1.2.3", plan, audits, environment, "", fail_on}; }
 };
 
 /// A case that is told from others by where its ray begins.

@@ -112,6 +112,22 @@ BOOST_AUTO_TEST_CASE(where_there_are_bounds_what_breaks_them_fails_and_nothing_e
              xml);
 }
 
+BOOST_AUTO_TEST_CASE(what_the_run_is_to_fail_on_fails_and_nothing_else) {
+  HandMade made = wrong_by("mine/float");
+  made.fail_on.verdicts[static_cast<std::size_t>(Verdict::false_hit)] = true;
+  BOOST_TEST(contains(junit(made), " failures=\"0\""), junit(made));
+  made.fail_on.verdicts[static_cast<std::size_t>(Verdict::false_miss)] = true;
+  BOOST_TEST(
+      contains(junit(made), "<failure type=\"false_miss\" message=\"7 of 100 cases false_miss\">"),
+      junit(made));
+  HandMade unasked;
+  unasked.add("mine/float", 1, "far").unasked = 5;
+  unasked.fail_on.most_ulps = 4;
+  BOOST_TEST(contains(junit(unasked),
+                      "<failure type=\"unasked\" message=\"5 cases were not asked after 100\">"),
+             junit(unasked));
+}
+
 BOOST_AUTO_TEST_CASE(an_audit_that_was_planned_and_not_asked_is_skipped) {
   HandMade made = wrong_by("mine/float");
   const Subject hung = {"hung/float", float_format, {}};

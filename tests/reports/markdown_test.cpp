@@ -67,6 +67,32 @@ BOOST_AUTO_TEST_CASE(a_broken_limit_is_folded_up_instead_where_there_are_bounds)
   BOOST_TEST(!contains(markdown(made), "<details>"));
 }
 
+BOOST_AUTO_TEST_CASE(what_the_run_is_to_fail_on_is_told_before_the_findings) {
+  HandMade made;
+  Tally& tally = made.add("mine/float", 1, "far");
+  turn(tally, Verdict::false_hit, Claim::nan, 3);
+  made.fail_on.verdicts[static_cast<std::size_t>(Verdict::false_miss)] = true;
+  BOOST_TEST(first_line(markdown(made)) == "**rayaudit: all 1 audit hold**; 3 of 100 cases wrong");
+  made.fail_on.most_ulps = 4;
+  tally.ulps.add(5);
+  tally.worst_ulps = Worst{5, 0, known_case(9), Answer::hit(real(4.5)), {}, {}};
+  const std::string text = markdown(made);
+  BOOST_TEST(first_line(text) ==
+             "**rayaudit: 1 of 1 audit fail by --fail-on**; 3 of 100 cases wrong");
+  const std::size_t breach = text.find(
+      "<summary>mine/float on sphere, family far: a t is off by 5 ulps, more than 4</summary>");
+  BOOST_TEST(breach < text.find("<summary>false hit by mine on sphere: "), text);
+  HandMade unasked;
+  unasked.add("mine/float", 1, "far").unasked = 5;
+  unasked.fail_on.most_ulps = 4;
+  BOOST_TEST(contains(markdown(unasked), ": 5 cases were not asked after 100</summary>"),
+             markdown(unasked));
+  unasked.plan.bounds = read_bounds("mine/* * * wrong 0 unasked 5 observed\n", "rows.txt");
+  BOOST_TEST(first_line(markdown(unasked)) ==
+             "**rayaudit: bounds are broken, or --fail-on** in 1 of 1 audit; 0 of 100 cases wrong, "
+             "5 not asked");
+}
+
 /// Many subjects, each wrong everywhere.
 HandMade many(std::size_t subjects) {
   HandMade made;

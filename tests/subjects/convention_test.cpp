@@ -3,9 +3,12 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <random>
 #include <string>
 
 #include "geometry/case_line.hpp"
+#include "geometry/error.hpp"
+#include "subjects/flat_convention.hpp"
 
 using namespace rayaudit;
 
@@ -20,6 +23,21 @@ std::string asked(std::string_view line, const Convention& convention,
 std::string spelled(std::string_view line) { return case_line(read_case_line(line).question); }
 
 Convention unit() { return {.unit_direction = true}; }
+
+/// How a call refuses.
+template <class Call>
+std::string refusal(const Call& call) {
+  try {
+    call();
+  } catch (const Error& why) {
+    return why.what();
+  }
+  return "it is taken";
+}
+
+std::string refusal_of_flat(const rayaudit_convention& said) {
+  return refusal([&] { from_flat(said); });
+}
 
 }  // namespace
 
@@ -87,4 +105,70 @@ BOOST_AUTO_TEST_CASE(what_is_stated_first_holds_and_ranges_meet) {
   BOOST_TEST(both.unit_direction);
   BOOST_TEST(both.t_min == 1);
   BOOST_TEST(both.t_max == 5);
+}
+
+BOOST_AUTO_TEST_CASE(ranges_that_do_not_meet_are_refused) {
+  const Convention late = {.t_min = 5, .t_max = 8};
+  const auto beside = [&](double t_min, double t_max) {
+    return refusal([&] { joined({.t_min = t_min, .t_max = t_max}, late); });
+  };
+  const std::string sentence =
+      "--convention leaves, with what a subject declares itself, the empty range from ";
+  BOOST_TEST(beside(0, 5) == sentence + "5 to 5 for t");
+  BOOST_TEST(beside(9, 12) == sentence + "9 to 8 for t");
+  BOOST_TEST(beside(0, 5.5) == "it is taken");
+}
+
+BOOST_AUTO_TEST_CASE(each_word_in_plain_c_is_taken_for_its_own) {
+  using oracle::Kind;
+  using Stance = Convention::Stance;
+  const std::pair<std::int32_t rayaudit_convention::*, Kind> touches[] = {
+      {&rayaudit_convention::tangent, Kind::tangent}, {&rayaudit_convention::rim, Kind::rim},
+      {&rayaudit_convention::apex, Kind::apex},       {&rayaudit_convention::start, Kind::start},
+      {&rayaudit_convention::end, Kind::end},         {&rayaudit_convention::within, Kind::within}};
+  BOOST_TEST((from_flat({}) == Convention{}));
+  for (const auto& [field, kind] : touches) {
+    rayaudit_convention said = {};
+    Convention meant;
+    said.*field = RAYAUDIT_IS_MISS, meant.of(kind) = Stance::miss;
+    BOOST_TEST((from_flat(said) == meant), name(kind));
+  }
+  rayaudit_convention said = {};
+  said.inside = RAYAUDIT_INSIDE_IS_START, said.line = 1, said.t_min = -2, said.t_max = 3;
+  BOOST_TEST(
+      (from_flat(said) ==
+       Convention{.inside = Convention::Inside::start, .line = true, .t_min = -2, .t_max = 3}));
+  BOOST_TEST((from_flat({0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0}) == unit()));
+}
+
+BOOST_AUTO_TEST_CASE(what_no_word_in_plain_c_means_is_refused) {
+  BOOST_TEST(refusal_of_flat({0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0}) ==
+             "its convention has 3 for apex, which is no rayaudit_stance (0, 1 or 2)");
+  BOOST_TEST(refusal_of_flat({0, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0}) ==
+             "its convention has -1 for inside, which is no rayaudit_inside (0, 1 or 2)");
+  BOOST_TEST(refusal_of_flat({0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 2}) ==
+             "its convention has the empty range from 2 to 2 for t");
+}
+
+BOOST_AUTO_TEST_CASE(a_case_is_asked_in_the_numbers_of_the_format) {
+  const std::string line = "cone 0 0 0.1 0 1 0 1 ray 0 0 -3 0 0 1e-60 range 0.3 nan";
+  BOOST_TEST(case_line(asked(read_case_line(line).question, {}, double_format)) == spelled(line));
+  BOOST_TEST(case_line(asked(read_case_line(line).question, {}, float_format)) ==
+             spelled("cone 0 0 0x1.99999ap-4 0 1 0 1 ray 0 0 -3 0 0 0 range 0x1.333334p-2 nan"));
+}
+
+BOOST_AUTO_TEST_CASE(what_was_asked_so_already_is_asked_as_it_is) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> component;
+  for (const Format& format : {float_format, double_format})
+    for (int i = 0; i < 2000; ++i) {
+      const Vec3<double> direction = {component(random), component(random), component(random)};
+      const Case drawn = {{{0, 0, -3}, direction, 0.25, 9}, Sphere<double>{{0, 0, 0}, 1}};
+      const Case once = asked(drawn, unit(), format);
+      BOOST_TEST_REQUIRE((asked(once, unit(), format) == once), case_line(drawn));
+    }
+  // Longer by eight units in the last place, it is none of length 1.
+  BOOST_TEST(
+      case_line(asked(read_case_line("sphere 0 0 0 1 ray 0 0 -3 0 0 0x1.0000000000008p+0").question,
+                      unit(), double_format)) == spelled("sphere 0 0 0 1 ray 0 0 -3 0 0 1"));
 }

@@ -2,6 +2,8 @@
 #include "subjects/plugin_child.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,6 +11,8 @@
 #include <boost/test/unit_test.hpp>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -71,7 +75,17 @@ const std::vector<Answer> yes(std::size_t count) {
   return std::vector<Answer>(count, Answer::yes());
 }
 
+/// Does whoever waits for something look a moment too early, and see nothing?
+bool looks_too_early = false;
+
 }  // namespace
+
+/// In place of the system's.
+extern "C" int poll(pollfd* sockets, nfds_t count, int milliseconds) {
+  const timespec time = {milliseconds / 1000, milliseconds % 1000 * 1'000'000L};
+  const int ready = ppoll(sockets, count, milliseconds < 0 ? nullptr : &time, nullptr);
+  return looks_too_early && milliseconds > 0 ? 0 : ready;
+}
 
 BOOST_AUTO_TEST_CASE(a_plugin_says_what_it_brings) {
   const std::vector<PluginSubject> subjects = Planted().subjects();
@@ -214,6 +228,27 @@ BOOST_AUTO_TEST_CASE(a_plugin_that_cannot_be_loaded_is_told) {
   BOOST_TEST(excuse("libm.so.6") ==
              "yes/double does not answer: its plugin libm.so.6 is no plugin: it lacks the symbol "
              "rayaudit_plugin_entry, which the macro RAYAUDIT_PLUGIN of rayaudit/plugin.h defines");
+}
+
+BOOST_AUTO_TEST_CASE(what_a_child_says_just_before_its_end_is_heard) {
+  std::string folder = (std::filesystem::temp_directory_path() / "rayaudit-XXXXXX").string();
+  BOOST_TEST_REQUIRE(mkdtemp(folder.data()) != nullptr);
+  const std::string why = "says why, and ends", program = folder + "/program";
+  const PluginReply reply = {.refused = 1, .bytes = why.size()};
+  std::ofstream(folder + "/words").write(reinterpret_cast<const char*>(&reply), sizeof reply)
+      << why;
+  std::ofstream(program) << "#!/bin/sh\ncat '" << folder << "/words' >&0\n";
+  chmod(program.c_str(), 0700);
+  looks_too_early = true;
+  std::string heard = "nothing";
+  try {
+    PluginChild(program, "none.so", 10s).subjects();
+  } catch (const PluginChild::Unloaded& refusal) {
+    heard = refusal.sentence;
+  }
+  looks_too_early = false;
+  std::filesystem::remove_all(folder);
+  BOOST_TEST(heard == why);
 }
 
 BOOST_AUTO_TEST_CASE(a_program_that_cannot_be_run_is_told) {

@@ -127,6 +127,21 @@ BOOST_AUTO_TEST_CASE(a_program_is_a_subject_elsewhere_named_by_its_command) {
   for (std::size_t shape = 0; shape < shape_count; ++shape) BOOST_TEST(subject.answers(shape));
 }
 
+BOOST_AUTO_TEST_CASE(the_name_of_a_program_is_a_plain_word_whatever_its_command) {
+  const auto name = [](const std::string& command) {
+    return program_subject(command, double_format).name;
+  };
+  BOOST_TEST(name("THREADS=1 ./mine --flag") == "mine/double");
+  BOOST_TEST(name(" A=1\tB_2='two words' C=\"it's\" bin/mine -x=1") == "mine/double");
+  BOOST_TEST(name("./a=b/mine") == "mine/double");
+  BOOST_TEST(name("\"$HOME/my tools/mine\" --flag") == "mine/double");
+  BOOST_TEST(name("'my mine*'") == "my_mine_/double");
+  BOOST_TEST(name("mine-2.0+x;true") == "mine-2.0+x_true/double");
+  BOOST_TEST(name("A=1 textbook") == "./textbook/double");
+  for (const char* nameless : {"A=1", "./", "'", "[ 1 ]", "\"\" x"})
+    BOOST_TEST(name(nameless) == "program/double", nameless);
+}
+
 BOOST_AUTO_TEST_CASE(a_program_does_not_pass_for_one_of_ours) {
   BOOST_TEST(program_subject("textbook --fast", double_format).name == "./textbook/double");
   BOOST_TEST(program_subject("bin/handout", float_format).name == "./handout/float");

@@ -50,10 +50,10 @@ struct Feigned {
     return asked;
   }
 
-  Unbroken unbroken() {
+  Unbroken unbroken(std::chrono::milliseconds waiting = 2s) {
     return Unbroken([this](std::span<const Case> cases, std::span<Answer> answers,
                            Manner manner) { return ask(cases, answers, manner); },
-                    2s);
+                    waiting);
   }
 };
 
@@ -152,6 +152,36 @@ BOOST_AUTO_TEST_CASE(who_always_hangs_is_waited_for_four_times_in_batches_and_th
   for (int i = 0; i < 10; ++i) answers(subject, cases(1));
   BOOST_TEST(feigned.silences == 7);
   BOOST_TEST(count(answers(subject, cases(1)), Answer::Form::unasked) == 1);
+}
+
+/// Of a subject that hangs at every case, and is waited for so long, the time-outs told in the
+/// first of many calls, in all of them, and by cases alone.
+struct TimeOuts {
+  std::ptrdiff_t first = 0, all = 0, alone = 0;
+
+  explicit TimeOuts(std::chrono::milliseconds patience) {
+    Feigned feigned;
+    for (int i = 0; i < 500; ++i) feigned.hanging.insert(i);
+    Unbroken subject = feigned.unbroken(patience);
+    first = all = count(answers(subject, cases(500)), Answer::Form::timed_out);
+    for (int i = 0; i < 10; ++i)
+      all += count(answers(subject, cases(500)), Answer::Form::timed_out);
+    for (int i = 0; i < 500; ++i)
+      alone += count(answers(subject, cases(1)), Answer::Form::timed_out);
+  }
+};
+
+BOOST_AUTO_TEST_CASE(the_less_patience_the_more_time_outs_are_told) {
+  const TimeOuts little(50ms), more(1s), much(100s);
+  BOOST_TEST(little.first == 80);
+  BOOST_TEST(little.all == 120);
+  BOOST_TEST(little.alone == 120);
+  BOOST_TEST(more.first == 4);
+  BOOST_TEST(more.all == 6);
+  BOOST_TEST(more.alone == 6);
+  BOOST_TEST(much.first == 2);
+  BOOST_TEST(much.all == 3);
+  BOOST_TEST(much.alone == 3);
 }
 
 BOOST_AUTO_TEST_CASE(a_case_that_is_asked_alone_is_so_after_any_number_of_crashes) {

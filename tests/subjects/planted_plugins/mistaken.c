@@ -48,6 +48,7 @@ const rayaudit_plugin* rayaudit_plugin_entry(void) {
   if (HAS("negative stance")) second->convention.within = -1;
   if (HAS("inside")) second->convention.inside = 77;
   if (HAS("range")) second->convention.t_min = 2, second->convention.t_max = 1;
+  if (HAS("late range")) second->convention.t_min = 5, second->convention.t_max = 8;
   if (HAS("NaN range")) second->convention.t_max = NAN;
   if (HAS("no shape")) second->disk = NULL;
   if (HAS("crash")) raise(11);
