@@ -121,21 +121,13 @@ struct Part {
   Convention convention;
   Tally tally = {};
   std::vector<Suspect> suspects = {};
-  std::size_t slow_margins = 0;
+  Margins margins;
 
   Part(const Plan& plan, const Audit& of)
       : audit(of),
         replay(plan.replay_of(of.subject->name)),
-        convention(convention_of(plan, *of.subject)) {}
-
-  /// The margin of a case in u of the subject's format; NaN for an invalid one, and where it would
-  /// take long and this has been so too often in the chunk.
-  double margin(const Plan& plan, Settled& settled) {
-    const std::optional<double> quick = settled.quick_reach();
-    if (!quick && !plan.thorough && ++slow_margins > slow_margins_a_chunk)
-      return Judgement::unmeasured;
-    return std::ldexp(quick ? *quick : settled.reach(), audit.subject->format.precision);
-  }
+        convention(convention_of(plan, *of.subject)),
+        margins(of.subject->format, plan.thorough) {}
 
   /// A crash costs a process each time it is looked into: only the worst are.
   bool is_suspect(const Answer& answer, const Judgement& judgement) const {
@@ -175,8 +167,7 @@ void judge_answers(const Plan& plan, std::span<Settled> settled, std::span<const
     const Judgement judgement =
         judge(settled[i], answers[i], part.audit.subject->format, part.convention);
     const bool wrong = is_wrong(judgement.verdict);
-    const double margin =
-        wrong || i < close ? part.margin(plan, settled[i]) : Judgement::unmeasured;
+    const double margin = wrong || i < close ? part.margins.of(settled[i]) : Judgement::unmeasured;
     if (i < close) part.tally.curve.add(margin, wrong);
     part.tally.add(settled[i], answers[i], judgement, first + i, margin);
     if (plan.causes && part.is_suspect(answers[i], judgement))
@@ -295,22 +286,6 @@ bool shows_again(const Plan& plan, const Subject& subject, const Worst& worst) {
   return judgement.verdict == worst.judgement.verdict;
 }
 
-/// Finds the cause of every worst case that reports tell of: of wrong answers, and where a subject
-/// is held to bounds also of its largest errors.
-void look_into_worst(const Plan& plan, Audit& audit) {
-  const auto look_into = [&](Worst& worst) {
-    worst.repeats = shows_again(plan, *audit.subject, worst);
-    if (!worst.repeats)
-      worst.diagnosis = {Cause::unknown};  // experiments would tell of their own answers only
-    else
-      worst.diagnosis = diagnosis_of(plan, audit, worst.question, worst.answer, worst.judgement);
-  };
-  for (Outcome& outcome : audit.tally.outcomes)
-    if (is_wrong(outcome.verdict)) look_into(*outcome.worst);
-  for (auto* worst : {&audit.tally.worst_ulps, &audit.tally.worst_forced, &audit.tally.worst_own})
-    if (!plan.bounds.empty() && *worst) look_into(**worst);
-}
-
 /// Counts judged cases and passes the count on, from one thread at a time.
 class Teller {
  public:
@@ -389,6 +364,20 @@ std::vector<Audit> gathered(const Plan& plan, const std::function<void(Progress)
   for (std::size_t i = 0; i < audits.size(); ++i) audits[i].tally = std::move(shared[i].tally);
   teller.end();
   return audits;
+}
+
+void look_into_worst(const Plan& plan, Audit& audit) {
+  const auto look_into = [&](Worst& worst) {
+    worst.repeats = shows_again(plan, *audit.subject, worst);
+    if (!worst.repeats)
+      worst.diagnosis = {Cause::unknown};  // experiments would tell of their own answers only
+    else
+      worst.diagnosis = diagnosis_of(plan, audit, worst.question, worst.answer, worst.judgement);
+  };
+  for (Outcome& outcome : audit.tally.outcomes)
+    if (is_wrong(outcome.verdict)) look_into(*outcome.worst);
+  for (auto* worst : {&audit.tally.worst_ulps, &audit.tally.worst_forced, &audit.tally.worst_own})
+    if (!plan.bounds.empty() && *worst) look_into(**worst);
 }
 
 void conclude(const Plan& plan, std::vector<Audit>& audits) {

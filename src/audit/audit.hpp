@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "audit/bound.hpp"
+#include "audit/margins.hpp"
 #include "audit/tally.hpp"
 #include "families/family.hpp"
 #include "oracle/replay/replay.hpp"
@@ -50,9 +51,6 @@ Convention convention_of(const Plan& plan, const Subject& subject);
 inline constexpr std::size_t close_a_chunk = 32;
 /// So many wrong answers of each chunk are replayed, chosen by the seed, where there are more.
 inline constexpr std::size_t replays_a_chunk = 2;
-/// So many margins of each chunk and subject may be worked out in exact numbers; beyond, a case
-/// that needs them is not looked at for the largest margin, nor counted in the curve.
-inline constexpr std::size_t slow_margins_a_chunk = 16;
 
 /// One subject on one shape and family.
 struct Audit {
@@ -84,5 +82,8 @@ std::vector<Audit> run(const Plan& plan, const std::function<void(Progress)>& te
 std::vector<Audit> gathered(const Plan& plan, const std::function<void(Progress)>& tell = {});
 /// And what is then asked about the worst of all: causes, and whether it shows again.
 void conclude(const Plan& plan, std::vector<Audit>& audits);
+/// Of one audit: the cause of every worst case that reports tell of, of wrong answers, and where a
+/// subject is held to bounds also of its largest errors; and whether each shows again.
+void look_into_worst(const Plan& plan, Audit& audit);
 
 }  // namespace rayaudit

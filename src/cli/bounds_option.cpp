@@ -100,10 +100,10 @@ std::string told(const Broken& broken, const Convention& convention) {
 std::string told(const Break& broken, const Climb& climb, const Family& family) {
   const auto& [k, bound, limit, seen, worst] = broken;
   return fmt::format(
-      "{}: `{}` is broken by {} on {}, family {} at k = {}: {} is {}, more than {}: {}",
-      bound.place, row(bound), climb.subject->name, shape_names[climb.shape], family.id, k,
-      limit.quantity->name, figures::magnitude(seen), promise(limit.most),
-      explain_line(worst, *climb.subject));
+      "{}: `{}` is broken by {} on {}, family {} at k = {}: {} is {}, more than {}{}", bound.place,
+      row(bound), climb.subject->name, shape_names[climb.shape], family.id, k, limit.quantity->name,
+      figures::magnitude(seen), promise(limit.most),
+      worst ? ": " + explain_line(*worst, *climb.subject) : "");
 }
 
 }  // namespace rayaudit

@@ -17,6 +17,7 @@ void add_check_command(CLI::App& program, Command& asked);
 void add_cost_command(CLI::App& program, Command& asked);
 void add_explain_command(CLI::App& program, Command& asked);
 void add_ladder_command(CLI::App& program, Command& asked);
+void add_scene_command(CLI::App& program, Command& asked);
 void add_draw_command(CLI::App& program, Command& asked);
 void add_truth_command(CLI::App& program, Command& asked);
 void add_judge_command(CLI::App& program, Command& asked);

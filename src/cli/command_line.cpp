@@ -90,6 +90,7 @@ Command read_command_line(int argc, const char* const* argv) {
   add_check_command(program, asked);
   add_cost_command(program, asked);
   add_ladder_command(program, asked);
+  add_scene_command(program, asked);
   add_explain_command(program, asked);
   add_draw_command(program, asked);
   add_truth_command(program, asked);

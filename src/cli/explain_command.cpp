@@ -248,8 +248,7 @@ void add_explain_command(CLI::App& program, Command& asked) {
   command->allow_extras();
   add_option(*command, "--subject", "ROUTINE/NUMBER", "follow this one step by step",
              [=](const std::string& text) { options->subject = text; });
-  add_bringers(*command, options->brought,
-               "its answer is shown too, and --subject may name it");
+  add_bringers(*command, options->brought, "its answer is shown too, and --subject may name it");
   add_option(*command, "--convention", "KIND=STANCE,...",
              "what is declared, as tangent=hit,inside=miss",
              [=](const std::string& text) { options->convention = read_convention(text); });

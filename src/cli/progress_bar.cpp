@@ -15,7 +15,7 @@ void draw(std::string_view text) { fmt::print(stderr, "{}{}", start_of_cleared_l
 
 }  // namespace
 
-ProgressBar::ProgressBar() : shown_(is_terminal(STDERR_FILENO)) {}
+ProgressBar::ProgressBar(std::string_view what) : what_(what), shown_(is_terminal(STDERR_FILENO)) {}
 
 ProgressBar::~ProgressBar() {
   if (shown_) draw("");
@@ -29,9 +29,9 @@ void ProgressBar::tell(const Progress& progress) {
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const double share = static_cast<double>(progress.done) / static_cast<double>(progress.all);
   const double thousands = static_cast<double>(progress.done) / seconds / 1000;
-  draw(fmt::format("[{:<{}}] {:3.0f} %  {:.0f} k cases/s  {:.0f} s left",
+  draw(fmt::format("[{:<{}}] {:3.0f} %  {:.0f} k {}/s  {:.0f} s left",
                    std::string(static_cast<std::size_t>(share * width), '='), width, 100 * share,
-                   thousands, seconds * (1 - share) / share));
+                   thousands, what_, seconds * (1 - share) / share));
 }
 
 }  // namespace rayaudit

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <string_view>
 
 #include "audit/audit.hpp"
 
@@ -10,7 +11,7 @@ namespace rayaudit {
 /// will yet take; gone when the run is. Nothing unless standard error is a terminal.
 class ProgressBar {
  public:
-  ProgressBar();
+  explicit ProgressBar(std::string_view what = "cases");  ///< that are counted
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -20,6 +21,7 @@ class ProgressBar {
  private:
   using Clock = std::chrono::steady_clock;
 
+  std::string_view what_;
   bool shown_;
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };

@@ -152,10 +152,11 @@ std::string breaks(const LadderRun& run, const Ink& ink) {
   for (const Climb& climb : run.climbs)
     if (climb.broken)
       text += wrapped(
-          fmt::format("{} on {} at k = {}: {} is {}, more than {}{}", climb.subject->name,
-                      shape_names[climb.shape], climb.broken->k, climb.broken->limit.quantity->name,
-                      magnitude(climb.broken->seen), promise(climb.broken->limit.most),
-                      climb.broken->worst ? ": " + explain_line(*climb.broken->worst, *climb.subject) : ""),
+          fmt::format(
+              "{} on {} at k = {}: {} is {}, more than {}{}", climb.subject->name,
+              shape_names[climb.shape], climb.broken->k, climb.broken->limit.quantity->name,
+              magnitude(climb.broken->seen), promise(climb.broken->limit.most),
+              climb.broken->worst ? ": " + explain_line(*climb.broken->worst, *climb.subject) : ""),
           2);
   return text.empty() ? "" : ink.heading("Where they break first") + '\n' + text + '\n';
 }

@@ -14,13 +14,17 @@ namespace rayaudit {
 /// NAME-verdicts.png; those that the plan has.
 class PictureFiles {
  public:
+  /// Throws Error where one cannot be written.
   PictureFiles(const std::filesystem::path& folder, const std::string& name,
                const PicturePlan& plan);
 
-  /// In order from the top.
+  /// In order from the top. Throws Error.
   void write(const Band& band);
+  /// Ends them all; rows that were not written are black. Throws Error.
   void close();
 
+  /// Of the picture, the exact one, their difference, the map of verdicts, from 0; empty where the
+  /// plan has none.
   const std::filesystem::path& path(std::size_t i) const { return paths_[i]; }
 
  private:
@@ -35,7 +39,8 @@ PngFile::Pixel shown_difference(const Colour& a, const Colour& b);
 /// The colour of a verdict, and of `right` the picture itself, pale.
 PngFile::Pixel shown(Verdict worst, const Colour& colour);
 
-/// What the colours of a map of verdicts mean, in their order.
+/// What the colours of a map of verdicts mean, in the order of the verdicts: of `right` one of many
+/// greys.
 struct LegendEntry {
   Verdict verdict;
   PngFile::Pixel colour;

@@ -8,8 +8,9 @@
 namespace rayaudit {
 
 /// A picture file that is written as it is made, row by row from the top, with libpng: 8 bits of
-/// red, green and blue. Whenever it is closed it is a valid file; rows that were not written are
-/// black.
+/// red, green and blue. Once begun it is a valid file whenever it is closed, also by its
+/// destructor; rows that were not written are black. A file that stood there is replaced when the
+/// first rows come, and left as it was where none do.
 class PngFile {
  public:
   struct Pixel {
@@ -23,7 +24,7 @@ class PngFile {
 
   /// Whole rows. Throws Error.
   void write(std::span<const Pixel> pixels);
-  /// Ends the file. Throws Error.
+  /// Ends the file, once; one without rows is black. Throws Error.
   void close();
 
  private:

@@ -1,6 +1,7 @@
 #include "reports/report.hpp"
 
 #include "reports/page.hpp"
+#include "reports/scene_run.hpp"
 
 namespace rayaudit {
 namespace {
@@ -34,10 +35,20 @@ constexpr ReportOf<LadderRun> of_ladders[] = {
     {"html", page_about, write_ladder_html, require_page},
 };
 
+constexpr ReportOf<SceneRun> of_scenes[] = {
+    {"table", "for people: what each effect costs and has wrong, and what each offset would do",
+     write_scene_table},
+    {"json", "for programs: everything, with the worst case of each kind", write_scene_json},
+    {"html", "for people, in a browser: one page with the pictures side by side, without script",
+     write_scene_html},
+};
+
 }  // namespace
 
 std::span<const ReportOf<Run>> reports() { return of_audits; }
 std::span<const ReportOf<CostRun>> cost_reports() { return of_costs; }
 std::span<const ReportOf<LadderRun>> ladder_reports() { return of_ladders; }
+
+std::span<const ReportOf<SceneRun>> scene_reports() { return of_scenes; }
 
 }  // namespace rayaudit

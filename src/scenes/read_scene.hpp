@@ -22,8 +22,8 @@ enum class Strictness : std::uint8_t {
 
 /// Reads a scene in the format of pbrt (version 3's words, and those of version 4 that mean the
 /// same: Physically Based Rendering, 3rd ed., and the file format's documentation); the subset is
-/// told in data/scenes/README.md. Includes are looked for beside the file that has them. Throws
-/// SceneError.
+/// told in data/scenes/README.md. Numbers may be hex floats, too. Includes are looked for beside
+/// the file that has them, then beside the first. Throws SceneError.
 Scene read_scene(const std::filesystem::path& file, Strictness strictness = Strictness::lenient);
 
 /// The same of a text; Includes are looked for in the folder, nowhere where that is empty.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -27,8 +28,8 @@ struct WaveAccount {
   int bounce;
   std::uint64_t rays = 0, questions = 0;
   Tally tally = {};
-  /// A ray that leaves a surface and is answered to meet it again where it left it; in the
-  /// distance, in world units.
+  /// A ray that leaves a surface and is answered, within its range, to meet it again where it left
+  /// it; in the distance, in world units.
   Trouble self_intersections = {};
   /// A ray whose first exact crossing with two surfaces that leave no gap is told of neither; in
   /// the margin of the miss, in u.
@@ -42,8 +43,9 @@ struct OffsetAccount {
   Offset offset;
   std::uint64_t rays = 0;
   Trouble acne = {};  ///< self-intersections, as above
-  /// Meetings with a surface (also a true second one with its own) that the ray from the rounded
-  /// point has, exactly, and the ray by this offset has not; in the distance, in world units.
+  /// The first meetings with each surface (also a true second one with its own) that the ray from
+  /// the rounded point has, exactly, and the ray by this offset has not, for it begins beyond them;
+  /// in the distance, in world units.
   Trouble lost_contact = {};
 };
 
@@ -62,10 +64,11 @@ struct SafeOffset {
 };
 
 /// Pairs of a ray and a shape that were not asked since their boxes do not meet; of a share of the
-/// rays each is settled exactly.
+/// rays each is settled exactly, of one in sixteen, of fewer where shapes are many.
 struct Culling {
-  std::uint64_t asked = 0, settled = 0;
-  Trouble wrong = {};  ///< culled, though they meet
+  std::uint64_t asked = 0, settled = 0;  ///< pairs that were asked, and culled ones settled
+  Trouble wrong = {};                    ///< culled, though they meet; in the margin, in u
+  std::uint64_t culled = 0;              ///< all pairs that were
 };
 
 /// All that the audit of a picture tells. Merging is exact but for nanoseconds; in order it is the
@@ -85,7 +88,8 @@ struct SceneAccount {
 struct SceneAuditing {
   const Scene& scene;
   const Subject& subject;
-  const Tracer& tracer;
+  /// The shapes that a ray is asked for: Tracer::candidates.
+  std::function<std::vector<std::uint32_t>(const Ray<double>&)> candidates;
   std::span<const Offset> offsets;  ///< to compare
   /// Every culled pair, and not those of one ray in sixteen; every margin.
   bool thorough = false;

@@ -57,7 +57,12 @@ struct Tracing {
 
 /// Traces a scene with a subject that decides every intersection: camera, shading and the points
 /// between are worked out in the subject's format (in double, where it is neither float nor
-/// double). Answers that say only yes, or come in place of one, count as misses.
+/// double). Answers that say only yes, or come in place of one, count as misses, and so do those
+/// outside the ray's range. What is matte is seen by the lights; where no shadow rays are on, as if
+/// by a light at the eye.
+///
+/// The inner side of a dielectric is that of the centre of a sphere and of the axis of a cylinder
+/// or cone, and of a disk that which its normal points away from.
 class Tracer {
  public:
   explicit Tracer(const Tracing& tracing);
@@ -75,8 +80,9 @@ class Tracer {
   std::unique_ptr<const Prepared> prepared_;
 };
 
-/// The truth as a subject: every intersection is decided exactly, touches are hits, and t is
-/// rounded once, to nearest in the format (float or double).
+/// The truth as a subject: every intersection is decided exactly, touches within the range are
+/// hits, and t is rounded once, to nearest in the format (float or double); its proved bound is
+/// that of this rounding.
 const Subject& exact_subject(const Format& format);
 
 }  // namespace rayaudit

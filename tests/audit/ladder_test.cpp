@@ -143,8 +143,9 @@ BOOST_AUTO_TEST_CASE(a_subject_that_fails_from_a_difficulty_on_holds_to_the_one_
   BOOST_TEST(broken.limit.most == 3);
   BOOST_TEST(broken.seen == 32);
   BOOST_TEST(broken.bound.place == "mine.txt:1");
-  BOOST_TEST(difficulty_of(broken.worst.question) == 10, case_line(broken.worst.question));
-  BOOST_TEST((broken.worst.answer == Answer::miss()));
+  const Worst& worst = broken.worst.value();
+  BOOST_TEST(difficulty_of(worst.question) == 10, case_line(worst.question));
+  BOOST_TEST((worst.answer == Answer::miss()));
   BOOST_TEST(climb.rungs[8].wrong == 0u);
   BOOST_TEST(climb.rungs[9].wrong == 32u);
   BOOST_TEST(climb.rungs.back().wrong == 32u);

@@ -64,7 +64,7 @@ std::string told(const Climb& climb) {
   return climb.subject->name + " at k = " + std::to_string(broken.k) + ": " +
          std::string(broken.limit.quantity->name) + " is " + std::to_string(broken.seen) +
          ", more than " + std::to_string(broken.limit.most) + " (" + broken.bound.place +
-         "): " + case_line(broken.worst.question);
+         "): " + case_line(broken.worst.value().question);
 }
 
 /// A routine on a family and shape that it is known to fail on, and the one that holds there.
