@@ -60,10 +60,11 @@ BOOST_AUTO_TEST_CASE(a_number_that_is_none_or_out_of_range_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(an_incomplete_command_line_is_refused) {
-  BOOST_TEST(run("rayaudit") == refused(2,
-                                        "expected a command, one of audit, check, cost, ladder, "
-                                        "explain, draw, truth, judge, diff, merge, scene, list; "
-                                        "`rayaudit --help` tells more"));
+  BOOST_TEST(run("rayaudit") ==
+             refused(2,
+                     "expected a command, one of audit, check, cost, ladder, scene, "
+                     "explain, draw, truth, judge, diff, merge, list; "
+                     "`rayaudit --help` tells more"));
   BOOST_TEST(run("rayaudit explain") ==
              refused(2, "explain: expected a case line or FILE:LINE; lines count from 1"));
   BOOST_TEST(run("rayaudit audit --cases").code == 2);
