@@ -202,7 +202,10 @@ Markup effects(const SceneRun& run) {
   for (const scenes::EffectUse& use : scenes::uses(run)) {
     Row row;
     row.words(name(use.calling->effect)).words(scenes::state(use)).words(scenes::reason(use));
-    row.count(use.rays);
+    if (run.plan.audited)
+      row.count(use.rays);
+    else
+      row.figure("-");
     row.figure(use.is_on && time > 0 ? fmt::format("{:.0f}%", 100 * use.nanoseconds / time) : "-");
     rows += row.markup();
   }

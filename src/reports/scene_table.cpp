@@ -40,7 +40,7 @@ std::string effects(const SceneRun& run, const Ink& ink) {
   const double time = scenes::sum(run.picture.account).nanoseconds;
   for (const scenes::EffectUse& use : scenes::uses(run)) {
     std::string took;
-    if (use.is_on) took = counted(use.rays, "ray");
+    if (use.is_on && run.plan.audited) took = counted(use.rays, "ray");
     if (use.is_on && time > 0)
       took += fmt::format(", {:.0f}% of the time", 100 * use.nanoseconds / time);
     text += fmt::format("  {:<12}{:<12}{:<34}{}", name(use.calling->effect), scenes::state(use),

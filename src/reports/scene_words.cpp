@@ -188,7 +188,7 @@ std::string summary(const SceneRun& run) {
   const WaveAccount all = sum(run.picture.account);
   std::string text;
   if (!run.picture.whole) text = "Stopped before the end of the picture: of what was finished, ";
-  if (!run.plan.audited) return text + counted(all.rays, "ray") + "; not audited";
+  if (!run.plan.audited) return text + "nothing was audited";
   const std::uint64_t wrong = all.tally.wrong();
   text += fmt::format("{}% of {} about {} answered wrongly",
                       wrong == 0 ? "0" : figures::percent(wrong, all.questions),
