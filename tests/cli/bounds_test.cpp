@@ -13,9 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path shipped(const std::string& file) {
-  return fs::path(__FILE__).parent_path().parent_path().parent_path() / "data" / "bounds" / file;
-}
+fs::path shipped(const std::string& file) { return fs::path(RAYAUDIT_DATA "/bounds") / file; }
 
 /// An audit held to the rows, in a folder of its own.
 shell::Ended held(const std::string& rows, const std::string& arguments = "") {

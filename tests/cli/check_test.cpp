@@ -11,8 +11,7 @@ using shell::run;
 
 namespace {
 
-const std::string corpus =
-    "'" + (std::filesystem::absolute(__FILE__).parent_path() / "../../data/cases").string() + "'";
+const std::string corpus = "'" RAYAUDIT_DATA "/cases'";
 
 const std::string found = "rayaudit audit handout/float --shape sphere --cases 500 --save-cases ";
 

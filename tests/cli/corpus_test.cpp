@@ -9,9 +9,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<fs::path> corpus() {
-  const fs::path tree = fs::path(__FILE__).parent_path().parent_path().parent_path();
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(tree / "data" / "cases"))
+  for (const auto& entry : fs::directory_iterator(RAYAUDIT_DATA "/cases"))
     files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;

@@ -12,7 +12,7 @@ using shell::refused;
 
 namespace {
 
-const std::string scenes = RAYAUDIT_SCENES "/";
+const std::string scenes = RAYAUDIT_DATA "/scenes/";
 
 /// A mirror and a glass ball on a floor, under a light: every effect there is.
 const std::string every_effect = R"(LookAt 0 -5 2  0 0 0.8  0 0 1
