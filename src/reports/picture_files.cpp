@@ -77,8 +77,9 @@ Pixel shown_difference(const Colour& a, const Colour& b) {
   return {grey, grey, grey};
 }
 
-Pixel shown(Verdict worst, const Colour& colour) {
-  if (worst != Verdict::right) return colours[static_cast<std::size_t>(worst)].colour;
+Pixel shown(const Sight& sight, const Colour& colour) {
+  if (sight.met_again && !is_wrong(sight.worst)) return met_again_colour;
+  if (sight.worst != Verdict::right) return colours[static_cast<std::size_t>(sight.worst)].colour;
   const int pale =
       darkest_right + (brightest - darkest_right) * brightness(shown(colour)) / brightest;
   const auto grey = static_cast<std::uint8_t>(pale);
@@ -109,7 +110,7 @@ void PictureFiles::write(const Band& band) {
     add([&](std::size_t i) { return shown(exact[i]); });
     add([&](std::size_t i) { return shown_difference(picture[i], exact[i]); });
   }
-  if (!paths_[3].empty()) add([&](std::size_t i) { return shown(band.worst[i], picture[i]); });
+  if (!paths_[3].empty()) add([&](std::size_t i) { return shown(band.sights[i], picture[i]); });
 }
 
 void PictureFiles::close() {

@@ -36,8 +36,10 @@ class PictureFiles {
 PngFile::Pixel shown(const Colour& colour);
 /// The difference of two, as black where there is none: brighter the larger, visible from 1/255 on.
 PngFile::Pixel shown_difference(const Colour& a, const Colour& b);
-/// The colour of a verdict, and of `right` the picture itself, pale.
-PngFile::Pixel shown(Verdict worst, const Colour& colour);
+/// The colour of the worst verdict where that is wrong, else of a surface that was met again; else
+/// of a verdict that is not wrong, of `right` the picture itself, pale.
+PngFile::Pixel shown(const Sight& sight, const Colour& colour);
+inline constexpr PngFile::Pixel met_again_colour = {86, 180, 233};
 
 /// What the colours of a map of verdicts mean, in the order of the verdicts: of `right` one of many
 /// greys.

@@ -117,15 +117,20 @@ Markup picture(std::string_view id, const std::string& file, std::string_view na
       below);
 }
 
-/// The colours of the verdicts that there are.
+Markup legend_entry(const PngFile::Pixel& colour, std::string_view meaning) {
+  return fmt::format(R"(<li><i style="background:#{:02x}{:02x}{:02x}"></i>{}</li>)", colour.red,
+                     colour.green, colour.blue, xml_text(meaning));
+}
+
+/// The colours of what there is to be seen.
 Markup colours(const SceneRun& run) {
-  const Tally all = scenes::sum(run.picture.account).tally;
+  const WaveAccount all = scenes::sum(run.picture.account);
   Markup entries;
   for (const auto& [verdict, colour] : legend())
-    if (verdict == Verdict::right || all.of(verdict) > 0)
-      entries +=
-          fmt::format(R"(<li><i style="background:#{:02x}{:02x}{:02x}"></i>{}</li>)", colour.red,
-                      colour.green, colour.blue, xml_text(figures::words(name(verdict))));
+    if (verdict == Verdict::right || all.tally.of(verdict) > 0)
+      entries += legend_entry(colour, figures::words(name(verdict)));
+  if (all.self_intersections.count > 0)
+    entries += legend_entry(met_again_colour, "self-intersection, all answers right");
   return element("ul", "legend", entries);
 }
 
@@ -134,7 +139,10 @@ Markup pictures(const SceneRun& run) {
   const Markup all =
       picture("picture", run.picture_file, run.plan.subject.name, "as its answers make it", run) +
       picture("exact", run.exact_file, "exact",
-              "every decision exact, each t rounded once to " + format, run) +
+              "every intersection decided exactly, each t rounded once to " + format +
+                  "; points, offset "
+                  "and shading as on the left",
+              run) +
       picture("difference", run.difference_file, "difference",
               "of the two; black where a screen shows none, else the brighter the larger", run) +
       picture("verdicts", run.verdict_file, "verdicts",

@@ -54,7 +54,8 @@ std::string at_most(double x) { return bounding(x, -0.005); }
 
 /// Is there an offset that skips every departure and no contact?
 std::string verdict_on(const SafeOffset& safe) {
-  if (std::isinf(safe.contact)) return "nothing else is met, so that no larger one loses anything";
+  if (std::isinf(safe.contact))
+    return "nothing is met but the departure, so that no larger one loses anything";
   std::string nearest =
       fmt::format("the nearest contact of such a ray lies {} away", at_most(safe.contact));
   if (safe.t_min >= safe.contact) return nearest + ", within it: no fixed t_min is safe here";
@@ -132,7 +133,9 @@ std::string_view state(const EffectUse& use) {
 
 std::string reason(const EffectUse& use) {
   const Calling& calling = *use.calling;
-  if (!calling.is_on || calling.place.file.empty()) return calling.because;
+  // No line calls for primary rays.
+  if (!calling.is_on || calling.effect == Effect::primary || calling.place.file.empty())
+    return calling.because;
   return calling.because.empty() ? told(calling.place)
                                  : told(calling.place) + ": " + calling.because;
 }
@@ -169,8 +172,10 @@ std::string safe_offset(const SceneAccount& account) {
   if (!leaves_surfaces(account)) return "";
   const SafeOffset& safe = account.safe;
   return fmt::format(
-      "The smallest safe offset is a t_min above {} world units, or {} ulps along the normal; {}",
-      at_least(safe.t_min), at_least(safe.ulps), verdict_on(safe));
+      "The smallest safe offset is a t_min above {} world units, or {} ulps along the normal, of "
+      "powers of two; {}",
+      at_least(safe.t_min), std::isinf(safe.ulps) ? "no number of" : fmt::format("{}", safe.ulps),
+      verdict_on(safe));
 }
 
 std::string culling(const Culling& culling) {

@@ -2,48 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "oracle/position.hpp"
 #include "scenes/line_roots.hpp"
 
 namespace rayaudit {
 namespace {
 
-Vec3<Real> exactly(const Vec3<double>& v) { return {real(v.x), real(v.y), real(v.z)}; }
-
-/// The direction in which the field of a shape grows at a point near its surface, of any length.
-struct Outward {
-  const Vec3<double>& point;
-
-  Vec3<double> operator()(const Disk<double>& disk) const { return disk.normal; }
-  Vec3<double> operator()(const Sphere<double>& sphere) const { return point - sphere.centre; }
-  Vec3<double> operator()(const Cylinder<double>& cylinder) const {
-    return beside(cylinder.base, cylinder.top - cylinder.base);
-  }
-  Vec3<double> operator()(const Cone<double>& cone) const {
-    return beside(cone.base, cone.apex - cone.base);
-  }
-
- private:
-  /// From the axis to the point, square to the axis; a cone's normal lies to the same side.
-  Vec3<double> beside(const Vec3<double>& base, const Vec3<double>& axis) const {
-    const Vec3<double> v = point - base;
-    return v - (dot(v, axis) / dot(axis, axis)) * axis;
-  }
-};
-
-/// How far, in ulps of its largest coordinate, the point that a ray leaves lies on the other side
-/// of its surface than the one that the ray leaves to; 0 where it does not.
-double beyond(const SceneRay& ray, const Shape& shape, const Format& format) {
-  const auto& [point, normal, proved] = ray.departure;
-  const oracle::Position position = oracle::position(shape, exactly(point));
-  const double leaving = dot(ray.ray.direction, normal);
-  const double grows = dot(std::visit(Outward{point}, shape), normal);
-  const bool leaves_outward = (leaving > 0) == (grows > 0);
-  if (position.sign_of_field != (leaves_outward ? -1 : 1) || is_nan(position.distance)) return 0;
-  const double largest = std::max({std::fabs(point.x), std::fabs(point.y), std::fabs(point.z)});
-  return scaled(position.distance, spacing_exponent(real(largest), format));
-}
+/// Ulps along the normal are tried in powers of two, up to this many times the numbers themselves.
+constexpr int most_normal = 3;
 
 /// A meeting of a ray that leaves a surface by no offset: which root of the line it is, and of how
 /// many.
@@ -76,6 +43,7 @@ class WaveOffsets {
   void compare(const Offset& offset, OffsetAccount& into) const;
 
  private:
+  using RaysByShape = std::array<std::vector<std::size_t>, shape_count>;
   /// Rays and primitives by shape.
   struct Pairs {
     std::vector<Case> cases;
@@ -91,10 +59,16 @@ class WaveOffsets {
   std::vector<Ray<double>> begun_by(const Offset& offset) const;
   std::array<Pairs, shape_count> candidates() const;
   void look_at_own(std::size_t ray, const Case& question, const oracle::Truth& truth);
-  void look_at_departure(std::size_t ray, const Case& question, double t);
+  void keep_t_min(const Case& question, double length);
+  void keep_contact(const Case& question, double t);
+  void find_safe_offsets();
   void look_at_other(std::size_t ray, std::size_t primitive, const Case& question,
                      const oracle::Truth& truth);
-  void add_acne(const std::vector<Ray<double>>& rays, Trouble& acne) const;
+  /// Calls see(ray, case, how far off) for each of those asked that, begun so, is told to meet the
+  /// surface that it leaves where it leaves it.
+  template <class See>
+  void each_acne(const RaysByShape& asked, const std::vector<Ray<double>>& begun,
+                 const See& see) const;
   void add_skipped(double t_min, Trouble& lost) const;
   void add_passed(const std::vector<Ray<double>>& rays, Trouble& lost) const;
   void lose(const Meeting& meeting, Trouble& lost) const;
@@ -103,8 +77,8 @@ class WaveOffsets {
   const Format& format_;
   SceneAccount& account_;
   std::vector<const SceneRay*> leaving_;
-  std::vector<Ray<double>> unmoved_;                       ///< of each, from its point as it is
-  std::array<std::vector<std::size_t>, shape_count> own_;  ///< rays by the shape that they leave
+  std::vector<Ray<double>> unmoved_;  ///< of each, from its point as it is
+  RaysByShape own_;                   ///< by the shape that they leave
   std::array<std::vector<Meeting>, shape_count> meetings_;
 };
 
@@ -140,6 +114,7 @@ void WaveOffsets::find_meetings() {
       else
         look_at_other(pairs.rays[i], pairs.primitives[i], pairs.cases[i], truth);
     });
+  find_safe_offsets();
 }
 
 void WaveOffsets::look_at_own(std::size_t ray, const Case& question, const oracle::Truth& truth) {
@@ -148,8 +123,10 @@ void WaveOffsets::look_at_own(std::size_t ray, const Case& question, const oracl
   if (departure == LineRoots::none) return;
   const auto place = [&](const Real& t) { return roots.nearest(nearest<double>(t)); };
   const double t = roots.t[departure];
-  if (t > 0 && place(truth.crossings()[0].t) == departure) look_at_departure(ray, question, t);
+  if (t > 0 && place(truth.crossings()[0].t) == departure)
+    keep_t_min(question, world_length(question.ray, t));
   const auto meet = [&](const Real& at) {
+    keep_contact(question, nearest<double>(at));
     meetings_[question.shape.index()].push_back(
         {ray, primitive_left(ray), at, place(at), roots.count});
   };
@@ -162,41 +139,79 @@ void WaveOffsets::look_at_own(std::size_t ray, const Case& question, const oracl
     if (root.standing == oracle::Standing::later) meet(root.t);
 }
 
-void WaveOffsets::look_at_departure(std::size_t ray, const Case& question, double t) {
+void WaveOffsets::keep_t_min(const Case& question, double length) {
   SafeOffset& safe = account_.safe;
-  if (const double length = world_length(question.ray, t); length > safe.t_min)
-    safe.t_min = length, safe.t_min_case = question;
-  if (const double ulps = beyond(*leaving_[ray], question.shape, format_); ulps > safe.ulps)
-    safe.ulps = ulps, safe.ulps_case = question;
+  if (length > safe.t_min) safe.t_min = length, safe.t_min_case = question;
+}
+
+void WaveOffsets::keep_contact(const Case& question, double t) {
+  SafeOffset& safe = account_.safe;
+  if (const double length = world_length(question.ray, t); length < safe.contact)
+    safe.contact = length, safe.contact_case = question;
+}
+
+/// What the subject tells at departures is to be skipped too; and what it takes along the normal is
+/// asked of it, by doubling, of those rays alone that still meet their surface; once none does, of
+/// all again.
+void WaveOffsets::find_safe_offsets() {
+  SafeOffset& safe = account_.safe;
+  RaysByShape left;
+  each_acne(own_, unmoved_, [&](std::size_t ray, const Case& question, double off) {
+    left[question.shape.index()].push_back(ray);
+    keep_t_min(question, off);
+  });
+  const auto is_empty = [](const auto& rays) { return rays.empty(); };
+  const auto still_met = [&](const RaysByShape& asked, const std::vector<Ray<double>>& begun) {
+    RaysByShape met;
+    each_acne(asked, begun, [&](std::size_t ray, const Case& question, double) {
+      met[question.shape.index()].push_back(ray);
+    });
+    return met;
+  };
+  const double most = std::ldexp(1.0, format_.precision + most_normal);
+  for (double ulps = 1;; ulps *= 2) {
+    const auto some = std::ranges::find_if_not(left, is_empty);
+    if (some == left.end()) return;
+    if (ulps > safe.ulps)
+      safe.ulps = ulps > most ? std::numeric_limits<double>::infinity() : ulps,
+      safe.ulps_case = {unmoved_[some->front()], shape_of(primitive_left(some->front()))};
+    if (ulps > most) return;
+    const std::vector<Ray<double>> moved =
+        begun_by({.kind = Offset::Kind::normal, .amount = ulps, .name = {}});
+    left = still_met(left, moved);
+    if (std::ranges::all_of(left, is_empty)) left = still_met(own_, moved);
+  }
 }
 
 void WaveOffsets::look_at_other(std::size_t ray, std::size_t primitive, const Case& question,
                                 const oracle::Truth& truth) {
   const oracle::Crossing* hit = truth.hit();
   if (hit == nullptr) return;
-  const double t = nearest<double>(hit->t), length = world_length(question.ray, t);
-  SafeOffset& safe = account_.safe;
-  if (length < safe.contact) safe.contact = length, safe.contact_case = question;
+  const double t = nearest<double>(hit->t);
+  keep_contact(question, t);
   const LineRoots roots = line_roots(question, truth);
   if (const int root = roots.nearest(t); root != LineRoots::none)
     meetings_[question.shape.index()].push_back({ray, primitive, hit->t, root, roots.count});
 }
 
-void WaveOffsets::add_acne(const std::vector<Ray<double>>& rays, Trouble& acne) const {
+template <class See>
+void WaveOffsets::each_acne(const RaysByShape& asked, const std::vector<Ray<double>>& begun,
+                            const See& see) const {
   for (std::size_t shape = 0; shape < shape_count; ++shape) {
+    if (asked[shape].empty()) continue;
     std::vector<Case> cases;
-    cases.reserve(own_[shape].size());
-    for (const std::size_t ray : own_[shape])
-      cases.push_back({rays[ray], shape_of(primitive_left(ray))});
-    if (cases.empty()) continue;
+    cases.reserve(asked[shape].size());
+    for (const std::size_t ray : asked[shape])
+      cases.push_back({begun[ray], shape_of(primitive_left(ray))});
     std::vector<Answer> answers(cases.size());
     auditing_.subject.answer[shape](cases, answers);
     std::vector<Case> met;
-    std::vector<Answer> told;
+    std::vector<std::size_t> places;
     for (std::size_t i = 0; i < cases.size(); ++i)
-      if (claimed_t(cases[i], answers[i])) met.push_back(cases[i]), told.push_back(answers[i]);
+      if (claimed_t(cases[i], answers[i])) met.push_back(cases[i]), places.push_back(i);
     each_truth(met, format_, [&](std::size_t i, const oracle::Truth& truth) {
-      if (const auto off = self_intersection(met[i], truth, told[i])) acne.add(*off, met[i]);
+      if (const auto off = self_intersection(met[i], truth, answers[places[i]]))
+        see(asked[shape][places[i]], met[i], *off);
     });
   }
 }
@@ -230,7 +245,8 @@ void WaveOffsets::add_passed(const std::vector<Ray<double>>& rays, Trouble& lost
 void WaveOffsets::compare(const Offset& offset, OffsetAccount& into) const {
   const std::vector<Ray<double>> rays = begun_by(offset);
   into.rays += rays.size();
-  add_acne(rays, into.acne);
+  each_acne(own_, rays,
+            [&](std::size_t, const Case& question, double off) { into.acne.add(off, question); });
   if (offset.kind == Offset::Kind::t_min)
     add_skipped(offset.amount, into.lost_contact);
   else if (offset.kind != Offset::Kind::none)

@@ -130,9 +130,9 @@ Finished Bands::made(std::size_t number) const {
   band.pixels.resize(pixels);
   Observe observe;
   if (plan_.audited) {
-    band.worst.resize(pixels, Verdict::right);
+    band.sights.resize(pixels);
     observe = [&](const Wave& wave) {
-      audit_wave(auditing_, wave, finished.account, first_pixel, band.worst);
+      audit_wave(auditing_, wave, finished.account, first_pixel, band.sights);
     };
   }
   tracer_.rows(band.first, band.last, band.pixels, observe);

@@ -26,7 +26,7 @@ struct PicturePlan {
 struct Band {
   int first = 0, last = 0;  ///< rows from first to last - 1
   std::vector<Colour> pixels = {}, exact = {};
-  std::vector<Verdict> worst = {};  ///< where it is audited
+  std::vector<Sight> sights = {};  ///< where it is audited
 };
 
 struct Picture {

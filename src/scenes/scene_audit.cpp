@@ -31,13 +31,13 @@ bool is_drawn(std::uint32_t pixel, std::uint64_t one_in) {
 class WaveJudge {
  public:
   WaveJudge(const SceneAuditing& auditing, const Wave& wave, WaveAccount& account,
-            std::uint32_t first_pixel, std::span<Verdict> worst)
+            std::uint32_t first_pixel, std::span<Sight> sights)
       : auditing_(auditing),
         format_(auditing.subject.format),
         wave_(wave),
         account_(account),
         first_pixel_(first_pixel),
-        worst_(worst),
+        sights_(sights),
         leaks_(auditing.scene) {}
 
   void judge_all() {
@@ -70,8 +70,10 @@ class WaveJudge {
     see(asked.pixel, judgement.verdict);
     leaks_.add(wave_, shape, i, truth, judgement);
     if (asked.from == static_cast<std::int32_t>(primitive))
-      if (const auto off = self_intersection(question, truth, answer))
+      if (const auto off = self_intersection(question, truth, answer)) {
         account_.self_intersections.add(*off, question);
+        see_met_again(asked.pixel);
+      }
   }
 
   void add(Settled& settled, const Answer& answer, const Judgement& judgement, std::uint64_t place,
@@ -83,16 +85,18 @@ class WaveJudge {
   }
 
   void see(std::uint32_t pixel, Verdict verdict) {
-    Verdict& seen = worst_[pixel - first_pixel_];
+    Verdict& seen = sights_[pixel - first_pixel_].worst;
     if (is_worse_to_see(verdict, seen)) seen = verdict;
   }
+
+  void see_met_again(std::uint32_t pixel) { sights_[pixel - first_pixel_].met_again = true; }
 
   const SceneAuditing& auditing_;
   const Format& format_;
   const Wave& wave_;
   WaveAccount& account_;
   std::uint32_t first_pixel_;
-  std::span<Verdict> worst_;
+  std::span<Sight> sights_;
   SeamLeaks leaks_;
 };
 
@@ -237,13 +241,13 @@ std::uint64_t SceneAccount::wrong() const {
 }
 
 void audit_wave(const SceneAuditing& auditing, const Wave& wave, SceneAccount& account,
-                std::uint32_t first_pixel, std::span<Verdict> worst) {
+                std::uint32_t first_pixel, std::span<Sight> sights) {
   if (account.offsets.empty())
     for (const Offset& offset : auditing.offsets) account.offsets.push_back({.offset = offset});
   WaveAccount& here = account.wave(wave.effect, wave.bounce);
   here.rays += wave.rays.size();
   here.nanoseconds += wave.nanoseconds;
-  WaveJudge(auditing, wave, here, first_pixel, worst).judge_all();
+  WaveJudge(auditing, wave, here, first_pixel, sights).judge_all();
   WaveCulling(auditing, wave, account.culling).settle();
   audit_offsets(auditing, wave, account);
 }

@@ -51,14 +51,16 @@ struct OffsetAccount {
 
 /// What no offset may be less or more than, in this picture.
 struct SafeOffset {
-  /// The least t_min, in world units, that skips every departure: the largest exact root there.
+  /// The least t_min, in world units, that skips every departure: the largest root there, exact or
+  /// as the subject tells it.
   double t_min = 0;
-  /// The least offset along the normal, in ulps of the largest coordinate, that brings every point
-  /// to its side of the surface.
+  /// The first power of two that, as an offset along the normal in ulps of the largest coordinate,
+  /// keeps every ray that met its surface again by no offset from being told so; 0 where none did,
+  /// infinite where none keeps.
   double ulps = 0;
   std::optional<Case> t_min_case = {}, ulps_case = {};
-  /// The nearest meeting of a ray that leaves a surface with anything else: an offset beyond it
-  /// loses contact. Infinite where there is none.
+  /// The nearest true meeting of a ray that leaves a surface, but for the departure itself: an
+  /// offset beyond it loses contact. Infinite where there is none.
   double contact = std::numeric_limits<double>::infinity();
   std::optional<Case> contact_case = {};
 };
@@ -95,10 +97,18 @@ struct SceneAuditing {
   bool thorough = false;
 };
 
-/// Settles all questions of a wave and adds to the account what the answers are; the worst verdict
-/// of each pixel, from `first_pixel` on, is kept where it is worse than what stands there.
+/// What of the answers to a pixel's rays is worst to see.
+struct Sight {
+  Verdict worst = Verdict::right;
+  bool met_again = false;  ///< a ray is told to meet the surface that it leaves where it leaves it
+
+  friend bool operator==(const Sight&, const Sight&) = default;
+};
+
+/// Settles all questions of a wave and adds to the account what the answers are, and to the sight
+/// of each pixel, from `first_pixel` on, what is worse than what stands there.
 void audit_wave(const SceneAuditing& auditing, const Wave& wave, SceneAccount& account,
-                std::uint32_t first_pixel, std::span<Verdict> worst);
+                std::uint32_t first_pixel, std::span<Sight> sights);
 
 /// The order of verdicts in a picture: is a worse to see than b? From right, touch on to crashed.
 bool is_worse_to_see(Verdict a, Verdict b);

@@ -7,20 +7,20 @@
 namespace rayaudit {
 namespace {
 
-Error none_such(std::int32_t value, const std::string& towards, const std::string& word) {
-  return Error("its convention has " + std::to_string(value) + " for " + towards +
-               ", which is no " + word + " (0, 1 or 2)");
+std::string none_such(std::int32_t value, const std::string& towards, const std::string& word) {
+  return "its convention has " + std::to_string(value) + " for " + towards + ", which is no " +
+         word + " (0, 1 or 2)";
 }
 
 Convention::Stance stance(const char* towards, std::int32_t value) {
   if (value < RAYAUDIT_EITHER || value > RAYAUDIT_IS_MISS)
-    throw none_such(value, towards, "rayaudit_stance");
+    throw Error(none_such(value, towards, "rayaudit_stance"));
   return Convention::Stance{static_cast<std::uint8_t>(value)};
 }
 
 Convention::Inside inside(std::int32_t value) {
   if (value < RAYAUDIT_INSIDE_IS_HIT || value > RAYAUDIT_INSIDE_IS_START)
-    throw none_such(value, "inside", "rayaudit_inside");
+    throw Error(none_such(value, "inside", "rayaudit_inside"));
   return Convention::Inside{static_cast<std::uint8_t>(value)};
 }
 

@@ -40,9 +40,8 @@ const Subject subject = {"mine/float", float_format, {}};
 Band band(int first, int last) {
   const std::size_t count = 3 * static_cast<std::size_t>(last - first);
   Band band = {first, last, std::vector<Colour>(count, {1, 1, 1}),
-               std::vector<Colour>(count, {0.2, 0.2, 0.2}),
-               std::vector<Verdict>(count, Verdict::right)};
-  band.worst[1] = Verdict::false_miss;
+               std::vector<Colour>(count, {0.2, 0.2, 0.2}), std::vector<Sight>(count)};
+  band.sights[1].worst = Verdict::false_miss;
   return band;
 }
 
@@ -60,7 +59,7 @@ double luminance(const Pixel& pixel) {
   return 0.2126 * linear(pixel.red) + 0.7152 * linear(pixel.green) + 0.0722 * linear(pixel.blue);
 }
 
-Pixel colour_of(Verdict verdict) { return shown(verdict, {0.5, 0.5, 0.5}); }
+Pixel colour_of(Verdict verdict) { return shown({verdict}, {0.5, 0.5, 0.5}); }
 
 }  // namespace
 
@@ -98,8 +97,8 @@ BOOST_AUTO_TEST_CASE(the_larger_a_difference_the_brighter_up_to_white) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_right_is_the_picture_pale_and_grey) {
-  const Pixel dark = shown(Verdict::right, {0, 0, 0}), red = shown(Verdict::right, {1, 0, 0}),
-              light = shown(Verdict::right, {1, 1, 1});
+  const Pixel dark = shown({Verdict::right}, {0, 0, 0}), red = shown({Verdict::right}, {1, 0, 0}),
+              light = shown({Verdict::right}, {1, 1, 1});
   BOOST_TEST(dark == grey(dark.red));
   BOOST_TEST(red == grey(red.red));
   BOOST_TEST(light == grey(255));
@@ -112,7 +111,7 @@ BOOST_AUTO_TEST_CASE(no_two_verdicts_look_alike_and_the_picture_beneath_does_not
   for (std::size_t i = 1; i < verdict_count; ++i) {
     const auto verdict = static_cast<Verdict>(i);
     const Pixel pixel = colour_of(verdict);
-    BOOST_TEST(shown(verdict, {1, 0, 1}) == pixel);
+    BOOST_TEST(shown({verdict}, {1, 0, 1}) == pixel);
     BOOST_TEST(seen.emplace(pixel.red, pixel.green, pixel.blue).second, name(verdict));
   }
 }
@@ -124,6 +123,16 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_stronger_than_all_that_is_not) {
       BOOST_TEST(luminance(colour_of(verdict)) < 0.45, name(verdict));
     else
       BOOST_TEST(luminance(colour_of(verdict)) > 0.6, name(verdict));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_surface_that_is_met_again_shows_where_no_answer_is_wrong) {
+  for (std::size_t i = 0; i < verdict_count; ++i) {
+    const auto verdict = static_cast<Verdict>(i);
+    BOOST_TEST(shown({verdict, true}, {1, 1, 1}) ==
+                   (is_wrong(verdict) ? colour_of(verdict) : met_again_colour),
+               name(verdict));
+    BOOST_TEST(colour_of(verdict) != met_again_colour, name(verdict));
   }
 }
 

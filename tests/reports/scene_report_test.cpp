@@ -191,12 +191,13 @@ BOOST_AUTO_TEST_CASE(the_smallest_safe_offset_is_held_against_the_nearest_contac
   };
   BOOST_TEST(sentence(0.00025, 0.001) ==
              "The smallest safe offset is a t_min above 0.00025 world units, or 13.5 ulps along "
-             "the normal; the nearest contact of such a ray lies 0.001 away, 4 times as far: a "
-             "t_min between the two is safe here");
+             "the normal, of powers of two; the nearest contact of such a ray lies 0.001 away, 4 "
+             "times as far: a t_min between the two is safe here");
   BOOST_TEST(
       sentence(0.5, 0.25).ends_with("lies 0.25 away, within it: no fixed t_min is safe here"));
-  BOOST_TEST(sentence(0.5, std::numeric_limits<double>::infinity())
-                 .ends_with("nothing else is met, so that no larger one loses anything"));
+  BOOST_TEST(
+      sentence(0.5, std::numeric_limits<double>::infinity())
+          .ends_with("nothing is met but the departure, so that no larger one loses anything"));
 }
 
 BOOST_AUTO_TEST_CASE(what_is_safe_is_not_rounded_to_what_is_not) {
@@ -386,7 +387,7 @@ BOOST_AUTO_TEST_CASE(the_pictures_are_in_it_to_the_byte_each_with_its_name) {
   Full made;
   made.scene.film = {1, 1};
   PictureFiles files(folder.path, "one", made.plan);
-  files.write({0, 1, {{1, 1, 1}}, {{1, 0, 1}}, {Verdict::false_hit}});
+  files.write({0, 1, {{1, 1, 1}}, {{1, 0, 1}}, {Sight{Verdict::false_hit}}});
   files.close();
   SceneRun run = made.run();
   run.picture_file = files.path(0), run.exact_file = files.path(1);
@@ -444,6 +445,8 @@ BOOST_AUTO_TEST_CASE(the_legend_has_what_occurs_and_no_more) {
   BOOST_TEST(has(text, "<i style=\"background:#d55e00\"></i>false hit</li>"));
   BOOST_TEST(has(text, "</i>right</li>"));
   BOOST_TEST(has(text, "</i>crashed</li>"));
+  BOOST_TEST(
+      has(text, "<i style=\"background:#56b4e9\"></i>self-intersection, all answers right</li>"));
   BOOST_TEST(!has(text, "</i>wrong t</li>"));
 }
 

@@ -52,13 +52,14 @@ Run run(const PicturePlan& plan) {
 
 std::string text_of(const std::vector<Band>& bands) {
   std::string text;
-  for (const auto& [first, last, pixels, exact, worst] : bands) {
+  for (const auto& [first, last, pixels, exact, sights] : bands) {
     text += std::to_string(first) + ' ' + std::to_string(last);
     for (const auto* picture : {&pixels, &exact})
       for (const Colour& colour : *picture)
         for (const double part : {colour.x, colour.y, colour.z})
           text += ' ' + rayaudit::text_of(part);
-    for (const Verdict verdict : worst) text += ' ' + std::string(name(verdict));
+    for (const Sight& sight : sights)
+      text += ' ' + std::string(name(sight.worst)) + (sight.met_again ? " met again" : "");
   }
   return text;
 }
@@ -91,7 +92,7 @@ BOOST_AUTO_TEST_CASE(bands_come_whole_and_in_order_and_progress_reaches_the_end)
     row = band.last;
     const auto pixels = static_cast<std::size_t>(60 * (band.last - band.first));
     BOOST_TEST((band.pixels.size() == pixels && band.exact.size() == pixels &&
-                band.worst.size() == pixels));
+                band.sights.size() == pixels));
   }
   BOOST_TEST(row == 72);
   BOOST_REQUIRE(made.progress.size() == made.bands.size());
@@ -105,7 +106,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_asked_for_is_not_made) {
   const Run all = run(plan);
   plan.audited = plan.exact = false;
   const Run plain = run(plan);
-  BOOST_TEST((plain.bands[0].exact.empty() && plain.bands[0].worst.empty()));
+  BOOST_TEST((plain.bands[0].exact.empty() && plain.bands[0].sights.empty()));
   BOOST_TEST(plain.picture.account.waves.empty());
   for (std::size_t i = 0; i < all.bands.size(); ++i)
     BOOST_TEST((all.bands[i].pixels == plain.bands[i].pixels));

@@ -61,14 +61,14 @@ Wave wave_of(const Scene& scene, const Subject& subject, const std::vector<Scene
   return wave;
 }
 
-/// What a wave comes to, and the verdicts to be seen in four pixels.
+/// What a wave comes to, and what is to be seen in four pixels.
 struct Told {
   SceneAccount account = {};
-  std::vector<Verdict> worst = std::vector<Verdict>(4, Verdict::right);
+  std::vector<Sight> sights = std::vector<Sight>(4);
 };
 Told told(const SceneAuditing& auditing, const Wave& wave, std::uint32_t first_pixel = 0) {
   Told told;
-  audit_wave(auditing, wave, told.account, first_pixel, told.worst);
+  audit_wave(auditing, wave, told.account, first_pixel, told.sights);
   return told;
 }
 
@@ -140,8 +140,7 @@ BOOST_AUTO_TEST_CASE(a_pixel_shows_the_worst_of_its_verdicts) {
   Wave wave = wave_of(scene, routine(), {ray});
   wave.answers[sphere][0] = Answer::miss();
   const Told seen = told(auditing(scene, routine()), wave, 10);
-  BOOST_TEST((seen.worst ==
-              std::vector{Verdict::right, Verdict::right, Verdict::false_miss, Verdict::right}));
+  BOOST_TEST((seen.sights == std::vector<Sight>{{}, {}, {Verdict::false_miss}, {}}));
   BOOST_TEST(seen.account.wrong() == 1U);
   const Worst* worst = seen.account.waves[0].tally.worst(Verdict::false_miss);
   BOOST_REQUIRE(worst != nullptr);
@@ -172,6 +171,7 @@ BOOST_AUTO_TEST_CASE(a_ray_that_is_told_to_meet_its_surface_where_it_leaves_it_i
   // It leaves from a point within the ball, and so meets it again.
   const SceneRay ray = leaving(0, {0, 0, 1 - 0x1p-20}, {0, 0, 1}, {0, 0, 2});
   const Told seen = told(auditing(scene, routine()), wave_of(scene, routine(), {ray}));
+  BOOST_TEST(seen.sights[0].met_again);
   const Trouble& troubles = seen.account.waves[0].self_intersections;
   BOOST_TEST(troubles.count == 1U);
   BOOST_TEST(troubles.severity == 0x1p-20, boost::test_tools::tolerance(1e-9));
@@ -185,6 +185,7 @@ BOOST_AUTO_TEST_CASE(the_other_side_of_its_surface_is_no_self_intersection) {
   const Told seen =
       told(auditing(scene, routine()), wave_of(scene, routine(), {inward, from_elsewhere}));
   BOOST_TEST(seen.account.waves[0].tally.of(Verdict::right) == 2U);
+  BOOST_TEST(!seen.sights[0].met_again);
   BOOST_TEST(seen.account.waves[0].self_intersections.count == 0U);
 }
 
@@ -303,7 +304,7 @@ BOOST_AUTO_TEST_CASE(a_true_second_meeting_with_its_own_surface_may_be_lost) {
   BOOST_TEST(seen.account.offsets[1].lost_contact.count == 1U);
   BOOST_TEST(seen.account.offsets[1].lost_contact.severity == 0x1p-6,
              boost::test_tools::tolerance(depth));
-  BOOST_TEST(std::isinf(seen.account.safe.contact));
+  BOOST_TEST(seen.account.safe.contact == 0x1p-6, boost::test_tools::tolerance(depth));
 }
 
 BOOST_AUTO_TEST_CASE(a_meeting_with_its_own_surface_is_lost_from_either_side_of_it) {
@@ -358,6 +359,9 @@ BOOST_AUTO_TEST_CASE(acne_is_told_of_each_offset) {
     const Trouble& acne = planted.account.offsets[i].acne;
     BOOST_TEST((acne.count == (i == 1 ? 0U : 1U) && acne.severity == (i == 1 ? 0 : 0x1p-30)));
   }
+  // So no t_min below what it tells is safe, wherever the surface is.
+  BOOST_TEST(seen.account.safe.t_min == 0x1p-40, boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(planted.account.safe.t_min == 0x1p-30);
 }
 
 BOOST_AUTO_TEST_CASE(the_safe_offset_brings_every_point_to_its_side) {
@@ -423,8 +427,8 @@ BOOST_AUTO_TEST_CASE(accounts_merge_exactly_whatever_goes_first_together) {
     ray.pixel = pixel;
     const Wave wave = wave_of(scene, coarse, {ray, ray}, effect, 1);
     SceneAccount made;
-    std::vector<Verdict> worst(2);
-    audit_wave(auditing(scene, coarse, offsets), wave, made, pixel, worst);
+    std::vector<Sight> sights(2);
+    audit_wave(auditing(scene, coarse, offsets), wave, made, pixel, sights);
     return made;
   };
   const SceneAccount a = account(0, Effect::refraction, 0.125),
