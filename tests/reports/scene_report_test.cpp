@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(each_effect_is_told_with_what_calls_for_it_its_rays_and_its
   made.picture.account.waves[1].nanoseconds = 3e6;
   const std::string text = table(made);
   BOOST_TEST(line(text, "primary") ==
-             "  primary     on          1,000 rays, 25% of the time       planet.pbrt:1:1: every "
+             "  primary     on          1,000 rays, 25% of the time       every "
              "picture has them");
   BOOST_TEST(line(text, "shadow") ==
              "  shadow      on          2,000 rays, 75% of the time       planet.pbrt:12:1: a "
