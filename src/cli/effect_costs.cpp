@@ -19,13 +19,13 @@ struct Cost {
 };
 using Costs = std::array<Cost, effect_count>;
 
-/// Enough pixels to tell what rays cost, and few enough to tell it at once.
+/// Enough rays from the camera to tell what rays cost, and few enough to tell it at once.
 constexpr double most_traced = 320 * 240;
 
-/// The film with its shape kept, and not more pixels than are traced.
-Film small(const Film& film) {
-  const double pixels = static_cast<double>(film.width) * film.height;
-  const double scale = std::min(1.0, std::sqrt(most_traced / pixels));
+/// The film with its shape kept, and not more pixels than are traced with so many samples each.
+Film small(const Film& film, int samples) {
+  const double rays = static_cast<double>(film.width) * film.height * samples;
+  const double scale = std::min(1.0, std::sqrt(most_traced / rays));
   const auto scaled = [&](int n) { return std::max(1, static_cast<int>(n * scale)); };
   return {scaled(film.width), scaled(film.height)};
 }
@@ -70,7 +70,7 @@ std::string line(const Calling& calling, bool is_on, const Costs& costs, double 
 std::string effect_costs(const Scene& scene, const Renderer& renderer, Effects on,
                          std::uint64_t seed) {
   Scene rounded = rayaudit::rounded(scene, renderer.subject->drawn_in()).scene;
-  rounded.film = small(scene.film);
+  rounded.film = small(scene.film, scene.samples);
   const Costs costs = traced(rounded, renderer, on, seed);
   const double pixels = static_cast<double>(rounded.film.width) * rounded.film.height;
   std::string text = fmt::format("{} as {} traces it, {} x {} pixels\n", scene.name,

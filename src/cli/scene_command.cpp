@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "cli/command.hpp"
 #include "cli/command_text.hpp"
@@ -96,14 +97,15 @@ Film read_film(std::string_view text) {
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
-/// A film of another form sees more along its longer side.
+/// A film of another form sees more along its longer side; the form of a pixel stays.
 void set_film(Scene& scene, const Film& film) {
+  const Film before = std::exchange(scene.film, film);
+  if (std::int64_t{film.width} * before.height == std::int64_t{film.height} * before.width) return;
   Camera& camera = scene.camera;
-  const double shorter = std::min(camera.half_width, camera.half_height);
-  const int shorter_side = std::min(film.width, film.height);
-  camera.half_width = shorter * film.width / shorter_side;
-  camera.half_height = shorter * film.height / shorter_side;
-  scene.film = film;
+  const double tall = (camera.half_height / before.height) / (camera.half_width / before.width);
+  const double width = film.width, height = tall * film.height;
+  const double scale = std::min(camera.half_width, camera.half_height) / std::min(width, height);
+  camera.half_width = scale * width, camera.half_height = scale * height;
 }
 
 Scene scene_of(const SceneOptions& options) {

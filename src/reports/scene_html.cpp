@@ -332,12 +332,7 @@ Markup offsets(const SceneRun& run) {
   if (safe.empty()) return "";
   Markup text = heading("Offsets") + paragraph(safe + '.');
   if (!account.offsets.empty())
-    text += element("p", "about",
-                    fmt::format("Of {} that leave a surface, begun by each offset: those that meet "
-                                "it again where they left it, and the true meetings that the "
-                                "offset loses; in world units, the largest.",
-                                counted(account.offsets.front().rays, "ray"))) +
-            offset_rows(account);
+    text += element("p", "about", xml_text(scenes::about_offsets(account))) + offset_rows(account);
   return text + offset_cases(run);
 }
 

@@ -170,8 +170,8 @@ std::string findings(const SceneRun& run, const Look& look, const Ink& ink) {
   const std::size_t shown = look.everything ? found.size() : std::min(findings_shown, found.size());
   for (std::size_t i = 0; i < shown; ++i) text += finding(found[i], i + 1, run, ink);
   if (shown < found.size())
-    text +=
-        fmt::format("\n{} more, less severe: --all-findings shows them.\n", found.size() - shown);
+    text += fmt::format("\n{} more, less severe: --report json=FILE tells all.\n",
+                        found.size() - shown);
   return text + '\n';
 }
 
@@ -214,14 +214,8 @@ std::string offsets(const SceneRun& run, const Ink& ink) {
   std::string text;
   const std::string safe = scenes::safe_offset(account);
   if (!account.offsets.empty() && !safe.empty())
-    text += offset_rows(account, ink) +
-            wrapped(fmt::format(
-                        "Of {} that leave a surface, begun by each offset: those that meet it "
-                        "again where they left it, and the true meetings that the offset loses; "
-                        "in world units, the largest.",
-                        counted(account.offsets.front().rays, "ray")),
-                    2) +
-            offset_cases(run);
+    text +=
+        offset_rows(account, ink) + wrapped(scenes::about_offsets(account), 2) + offset_cases(run);
   if (!safe.empty()) text += wrapped(safe + '.', 0) + safe_cases(run);
   return text.empty() ? "" : text + '\n';
 }

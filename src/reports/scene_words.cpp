@@ -178,6 +178,15 @@ std::string safe_offset(const SceneAccount& account) {
       verdict_on(safe));
 }
 
+std::string about_offsets(const SceneAccount& account) {
+  return fmt::format(
+      "Of {} that leave a surface, begun by each offset: those that meet it again where they left "
+      "it, and the true meetings that the offset loses; in world units, the largest. Proved: off "
+      "by what is proved of the point, nothing where a subject proves nothing; what its next "
+      "answer errs is not in that.",
+      counted(account.offsets.front().rays, "ray"));
+}
+
 std::string culling(const Culling& culling) {
   if (culling.settled == 0) return "";
   const std::string settled =

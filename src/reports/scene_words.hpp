@@ -60,6 +60,8 @@ std::string title(const SceneRun& run);
 std::string rounding(const SceneRun& run);
 /// The smallest safe offset against the nearest contact; empty where no ray leaves a surface.
 std::string safe_offset(const SceneAccount& account);
+/// What the rows of the offsets are about, in sentences.
+std::string about_offsets(const SceneAccount& account);
 /// What came of the culled pairs that were settled; empty where none were.
 std::string culling(const Culling& culling);
 /// What is wrong of how much, and whether the picture is whole.

@@ -29,10 +29,12 @@ Calling off(Effect effect, std::string because) { return {effect, false, {}, std
 /// The first light with the first matte shape that is not that light itself: no ball shines on its
 /// own outside.
 Calling shadow(const Scene& scene) {
-  if (scene.lights.empty()) return off(Effect::shadow, "no light");
+  const auto shines = [](const Light& light) { return !is_dark(light.colour); };
+  if (std::ranges::none_of(scene.lights, shines))
+    return off(Effect::shadow, scene.lights.empty() ? "no light" : "every light is dark");
   for (const Light& light : scene.lights)
     for (std::size_t i = 0; i < scene.primitives.size(); ++i)
-      if (is_matte(scene.primitives[i]) &&
+      if (shines(light) && is_matte(scene.primitives[i]) &&
           (light.kind != Light::Kind::sphere || light.primitive != i))
         return {Effect::shadow, true, light.place,
                 std::string(name(light.kind)) + " shines on a matte " +

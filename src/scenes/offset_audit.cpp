@@ -69,7 +69,7 @@ class WaveOffsets {
   template <class See>
   void each_acne(const RaysByShape& asked, const std::vector<Ray<double>>& begun,
                  const See& see) const;
-  void add_skipped(double t_min, Trouble& lost) const;
+  void add_skipped(const std::vector<Ray<double>>& rays, Trouble& lost) const;
   void add_passed(const std::vector<Ray<double>>& rays, Trouble& lost) const;
   void lose(const Meeting& meeting, Trouble& lost) const;
 
@@ -221,10 +221,10 @@ void WaveOffsets::lose(const Meeting& meeting, Trouble& lost) const {
   lost.add(world_length(ray, nearest<double>(meeting.t)), {ray, shape_of(meeting.primitive)});
 }
 
-void WaveOffsets::add_skipped(double t_min, Trouble& lost) const {
+void WaveOffsets::add_skipped(const std::vector<Ray<double>>& rays, Trouble& lost) const {
   for (const std::vector<Meeting>& of_shape : meetings_)
     for (const Meeting& meeting : of_shape)
-      if (rayaudit::compare(meeting.t, real(t_min)) <= 0) lose(meeting, lost);
+      if (rayaudit::compare(meeting.t, real(rays[meeting.ray].t_min)) <= 0) lose(meeting, lost);
 }
 
 void WaveOffsets::add_passed(const std::vector<Ray<double>>& rays, Trouble& lost) const {
@@ -248,7 +248,7 @@ void WaveOffsets::compare(const Offset& offset, OffsetAccount& into) const {
   each_acne(own_, rays,
             [&](std::size_t, const Case& question, double off) { into.acne.add(off, question); });
   if (offset.kind == Offset::Kind::t_min)
-    add_skipped(offset.amount, into.lost_contact);
+    add_skipped(rays, into.lost_contact);
   else if (offset.kind != Offset::Kind::none)
     add_passed(rays, into.lost_contact);
 }

@@ -55,8 +55,8 @@ struct SafeOffset {
   /// as the subject tells it.
   double t_min = 0;
   /// The first power of two that, as an offset along the normal in ulps of the largest coordinate,
-  /// keeps every ray that met its surface again by no offset from being told so; 0 where none did,
-  /// infinite where none keeps.
+  /// keeps every ray of its wave from being told to meet its surface again; 0 where none was by no
+  /// offset, infinite where none keeps. Of several waves the largest, not asked of the others anew.
   double ulps = 0;
   std::optional<Case> t_min_case = {}, ulps_case = {};
   /// The nearest true meeting of a ray that leaves a surface, but for the departure itself: an

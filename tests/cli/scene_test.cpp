@@ -189,6 +189,22 @@ BOOST_AUTO_TEST_CASE(any_number_of_threads_gives_the_same_bytes) {
   BOOST_TEST(other.code == 1);
 }
 
+BOOST_AUTO_TEST_CASE(a_film_of_the_same_form_shows_the_same) {
+  Folder folder;
+  folder.write("wide.pbrt",
+               "Camera \"perspective\" \"float screenwindow\" [-2 2 -1 1]\n"
+               "Film \"image\" \"integer xresolution\" 32 \"integer yresolution\" 32\n"
+               "WorldBegin\nTranslate 0 0 3\nShape \"sphere\"\nWorldEnd\n");
+  const Ended ended = folder.run(
+      "for film in '' '--film 32x32' '--film 64x32'; do rayaudit scene wide.pbrt $film --unaudited "
+      "--pictures p --report json=r.json; cat p/*.png | cksum; done");
+  std::istringstream sums(ended.out);
+  std::string of_file, same, other;
+  std::getline(sums, of_file), std::getline(sums, same), std::getline(sums, other);
+  BOOST_TEST(of_file == same, ended);
+  BOOST_TEST(of_file != other, ended);
+}
+
 BOOST_AUTO_TEST_CASE(options_override_what_the_scene_says) {
   const json usual = report_of("all.pbrt");
   BOOST_TEST(usual["scene"]["width"] == 32);
@@ -223,6 +239,13 @@ BOOST_AUTO_TEST_CASE(effects_are_explained_by_lines_of_the_file) {
   BOOST_TEST(contains(ended.out, "all.pbrt:7:1: a sphere is a mirror"), ended);
   BOOST_TEST(contains(ended.out, "taken away by --effects"), ended);
   BOOST_TEST(contains(run("rayaudit scene dark.pbrt --explain-effects").out, "no light"));
+}
+
+BOOST_AUTO_TEST_CASE(many_samples_are_explained_by_fewer_pixels) {
+  const Ended ended =
+      run("rayaudit scene dark.pbrt --film 640x480 --samples 100 --explain-effects");
+  BOOST_TEST(contains(ended.out, "traces it, 32 x 24 pixels"), ended);
+  BOOST_TEST(contains(ended.out, "100.00     100"), ended);
 }
 
 BOOST_AUTO_TEST_CASE(an_unaudited_picture_is_the_subjects_alone) {

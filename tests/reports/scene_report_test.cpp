@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(twenty_findings_are_shown_and_all_where_that_is_asked) {
   for (const Verdict verdict : {Verdict::false_hit, Verdict::wrong_root})
     for (std::size_t claim = 0; claim < claim_count; ++claim)
       turn(wave.tally, verdict, static_cast<Claim>(claim), 1, 1, 2);
-  BOOST_TEST(has(table(made), "\n12 more, less severe: --all-findings shows them.\n"));
+  BOOST_TEST(has(table(made), "\n12 more, less severe: --report json=FILE tells all.\n"));
   const std::string all = write_scene_table(made.run(), {.everything = true});
   BOOST_TEST(has(all, "\n 32. "));
   BOOST_TEST(!has(all, "less severe"));

@@ -51,6 +51,16 @@ BOOST_AUTO_TEST_CASE(the_first_light_that_shines_on_something_matte_calls_for_sh
   BOOST_TEST(shadow.because == "a point light shines on a matte disk");
 }
 
+BOOST_AUTO_TEST_CASE(dark_lights_call_for_nothing) {
+  const Light dark = point_light({0, 5, 0}, {0, 0, 0}), lit = point_light({0, 5, 0}, {0, 0, 1});
+  const Scene unlit = scene_of({matte(ball)}, {dark});
+  BOOST_TEST((effects(unlit) == Effects{}));
+  BOOST_TEST(calling(callings(unlit), Effect::shadow).because == "every light is dark");
+  const Calling shadow = calling(callings(scene_of({matte(ball)}, {dark, lit})), Effect::shadow);
+  BOOST_TEST(shadow.is_on);
+  BOOST_TEST(told(shadow.place) == "made.pbrt:2:1");
+}
+
 BOOST_AUTO_TEST_CASE(a_light_on_mirrors_alone_casts_no_shadow) {
   const Scene scene = scene_of({mirror(ball)}, {point_light({0, 5, 0}, {1, 1, 1})});
   BOOST_TEST((effects(scene) == Effects{.reflection = true}));
