@@ -44,9 +44,11 @@ void require_present(const std::vector<std::string>& patterns) {
 Subjects::Subjects(const SubjectChoice& choice) {
   if (choice.patience && !choice.brings_any())
     throw Error("--patience goes with --plugin or --program");
-  for (const std::string& file : choice.plugins)
-    add(plugin_subjects(file, choice.patience.value_or(plugin_patience)),
-        "--plugin " + quoted(file), read_whole(file).text);
+  for (const std::string& file : choice.plugins) {
+    // Loaded first: of a plugin that is not there that tells more than its bytes do.
+    auto loaded = plugin_subjects(file, choice.patience.value_or(plugin_patience));
+    add(std::move(loaded), "--plugin " + quoted(file), read_whole(file).text);
+  }
   if (!choice.program.empty())
     add({program_subject(choice.program, choice.format, choice.patience.value_or(usual_patience))},
         fmt::format("--program {} --format {}", quoted(choice.program), choice.format.name),

@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(a_plugin_that_cannot_be_audited_is_refused_before_anything_
   folder.write("text.so", "no shared object\n");
   const std::string audit = "rayaudit audit --report json=report --report table --plugin ";
   BOOST_TEST(folder.run(audit + "nowhere.so") ==
-             refused(2, "`nowhere.so` cannot be read: No such file or directory"));
+             refused(2, "plugin `nowhere.so` cannot be read: No such file or directory"));
   BOOST_TEST(folder.run(audit + "text.so")
                  .err.starts_with("rayaudit: plugin `text.so` cannot be loaded: "));
   BOOST_TEST(folder.run(audit + "text.so").code == 2);
