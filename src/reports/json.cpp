@@ -19,15 +19,6 @@ E nth(std::size_t i) {
   return static_cast<E>(i);
 }
 
-/// Largest and quantiles of errors; null where nothing was measured.
-Json errors(const Histogram& histogram) {
-  const auto told = [&](double x) { return histogram.count() > 0 ? number(x) : Json(nullptr); };
-  return {{"max", told(histogram.largest())},
-          {"p50", told(histogram.quantile(0.5))},
-          {"p99", told(histogram.quantile(0.99))},
-          {"measured", histogram.count()}};
-}
-
 Json touches(const Tally& tally) {
   Json told = Json::object();
   for (std::size_t i = 0; i < tally.touches.size(); ++i)

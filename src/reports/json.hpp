@@ -8,6 +8,7 @@
 #include <string>
 
 #include "audit/environment.hpp"
+#include "audit/histogram.hpp"
 
 /// What all reports in JSON have in common.
 namespace rayaudit::json {
@@ -19,6 +20,15 @@ inline Json number(double x) {
   if (std::isnan(x)) return nullptr;
   if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
   return x;
+}
+
+/// Largest and quantiles of errors; null where nothing was measured.
+inline Json errors(const Histogram& histogram) {
+  const auto told = [&](double x) { return histogram.count() > 0 ? number(x) : Json(nullptr); };
+  return {{"max", told(histogram.largest())},
+          {"p50", told(histogram.quantile(0.5))},
+          {"p99", told(histogram.quantile(0.99))},
+          {"measured", histogram.count()}};
 }
 
 inline Json told(const Environment& environment) {

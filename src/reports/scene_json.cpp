@@ -11,15 +11,6 @@ namespace {
 
 using namespace json;
 
-/// Largest and quantiles of errors; null where nothing was measured.
-Json errors(const Histogram& histogram) {
-  const auto told = [&](double x) { return histogram.count() > 0 ? number(x) : Json(nullptr); };
-  return {{"max", told(histogram.largest())},
-          {"p50", told(histogram.quantile(0.5))},
-          {"p99", told(histogram.quantile(0.99))},
-          {"measured", histogram.count()}};
-}
-
 Json told(const std::optional<Case>& question) {
   return question ? Json(case_line(*question)) : Json(nullptr);
 }
