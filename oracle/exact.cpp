@@ -49,22 +49,39 @@ Radical root(const Polynomial<Exact, degree>& field, Which which) {
   return linear_root({{field.c[0], field.c[1]}});
 }
 
+/// The root that an outline lists.
+template <class S, class P>
+Radical root(const P& patch, const Outlined& outlined) {
+  if constexpr (caps<S> != 0)
+    if (outlined.patch != 0) return linear_root(cap_field(patch, cap_of(outlined)));
+  return root(patch.field, outlined.which);
+}
+
 /// A stretch of the line, from first to last; empty until it is known not to be.
 struct Stretch {
   bool empty = true;
   Radical first, last;
 };
 
+Radical start_of(const Range<Exact>& range) {
+  return range.has_start ? ratio(range.start, 1) : Radical{.infinite = -1};
+}
+Radical end_of(const Range<Exact>& range) {
+  return range.has_end ? ratio(range.end, 1) : Radical{.infinite = 1};
+}
+
 /// The order of two ratios with positive denominators.
 bool less(const Radical& a, const Radical& b) { return (a.p * b.q - b.p * a.q).sign() < 0; }
 
-/// The part of the range where all of these linear side conditions hold. A shape is bounded, so
-/// some of them close the stretch at either end.
-template <std::size_t sides>
-Stretch stretch(const std::array<Polynomial<Exact, 1>, sides>& side, const Range<Exact>& range) {
+/// The part of the range where all of these linear side conditions hold that count.
+template <class S, std::size_t sides>
+Stretch stretch(const std::array<Polynomial<Exact, 1>, sides>& side, const Range<Exact>& range,
+                Extent extent) {
   bool has_first = range.has_start, has_last = range.has_end;
-  Radical first = ratio(range.start, 1), last = ratio(range.end, 1);
-  for (const auto& g : side) {
+  Radical first = start_of(range), last = end_of(range);
+  for (int i = 0; i < static_cast<int>(sides); ++i) {
+    if (!counts<S>(i, extent)) continue;
+    const auto& g = side[i];
     const int slope = g.c[1].sign();
     if (slope == 0 && g.c[0].sign() < 0) return {};
     if (slope > 0) {
@@ -77,12 +94,11 @@ Stretch stretch(const std::array<Polynomial<Exact, 1>, sides>& side, const Range
       has_last = true;
     }
   }
-  return {.empty = less(last, first), .first = first, .last = last};
+  return {.empty = has_first && has_last && less(last, first), .first = first, .last = last};
 }
 
-/// The part of the range where one quadratic side condition holds that opens downward.
-Stretch stretch(const std::array<Polynomial<Exact, 2>, 1>& side, const Range<Exact>& range) {
-  const Polynomial<Exact, 2>& g = side[0];
+/// The part of the range where a quadratic side condition holds that opens downward.
+Stretch stretch(const Polynomial<Exact, 2>& g, const Range<Exact>& range) {
   Signs<Exact> sign;
   const int sign_d = (squared(g.c[1]) - twice(twice(g.c[2] * g.c[0]))).sign();
   if (sign_d < 0) return {};
@@ -100,29 +116,45 @@ Stretch stretch(const std::array<Polynomial<Exact, 2>, 1>& side, const Range<Exa
           .last = ends_inside ? ratio(range.end, 1) : quadratic_root(g, larger)};
 }
 
-/// A sphere contains no line.
-Stretch stretch(const std::array<Polynomial<Exact, 1>, 0>&, const Range<Exact>&) { return {}; }
+template <class S>
+Stretch stretch(const std::array<Polynomial<Exact, 2>, 1>& side, const Range<Exact>& range,
+                Extent extent) {
+  if (counts<S>(0, extent)) return stretch(side[0], range);
+  return {.empty = false, .first = start_of(range), .last = end_of(range)};
+}
+
+/// The part of the range where a line lies in a patch.
+template <class S, class P>
+Stretch stretch(const P& patch, const Outline& outline, const Range<Exact>& range, Extent extent) {
+  if constexpr (caps<S> != 0) {
+    const auto& [c, b, a] = patch.field.c;
+    if (outline.patch != 0) return stretch(Polynomial<Exact, 2>{{-c, -b, -a}}, range);
+  }
+  return stretch<S>(patch.side, range, extent);
+}
 
 template <template <class> class S>
-ExactRoots roots_of(const Ray<double>& ray, const S<double>& shape, bool all) {
+ExactRoots roots_of(const Ray<double>& ray, const S<double>& shape, Extent extent, bool all) {
   const auto patch = along_ray<Exact>(ray, shape);
   const Range<Exact> range(ray);
   Signs<Exact> sign;
-  const Outline outline = settle<apex_side<S<double>>, Exact>(patch, range, sign, all);
+  const Outline outline = settle<S<double>, Exact>(patch, range, sign, extent, all);
   ExactRoots found;
   const auto vanishes = [](const Exact& x) { return x.sign() == 0; };
-  found.constant = std::all_of(patch.field.c.begin() + 1, patch.field.c.end(), vanishes);
+  found.constant =
+      outline.within || std::all_of(patch.field.c.begin() + 1, patch.field.c.end(), vanishes);
   if (outline.within) {
-    const Stretch inside = stretch(patch.side, range);
+    const Stretch inside = stretch<S<double>>(patch, outline, range, extent);
     if (!inside.empty && !all)
-      found.listed[found.count++] = {{.kind = Kind::within}, inside.first, inside.last};
+      found.listed[found.count++] = {
+          {.kind = Kind::within, .patch = outline.patch}, inside.first, inside.last};
     return found;
   }
   for (const Outlined& outlined : std::span(outline.listed.data(), outline.count)) {
     if (!all && outlined.standing != Standing::acceptable) continue;
     const Radical t = outlined.kind == Kind::start ? ratio(range.start, 1)
                       : outlined.kind == Kind::end ? ratio(range.end, 1)
-                                                   : root(patch.field, outlined.which);
+                                                   : root<S<double>>(patch, outlined);
     found.listed[found.count++] = {outlined, t, {}};
   }
   return found;
@@ -133,15 +165,18 @@ ExactRoots roots_of(const Ray<double>& ray, const S<double>& shape, bool all) {
 Outline outline_exactly(const Case& question) {
   const auto outline = [&](const auto& shape) {
     Signs<Exact> sign;
-    return settle<apex_side<std::remove_cvref_t<decltype(shape)>>, Exact>(
-        along_ray<Exact>(question.ray, shape), Range<Exact>(question.ray), sign, false);
+    return settle<std::remove_cvref_t<decltype(shape)>, Exact>(
+        along_ray<Exact>(question.ray, shape), Range<Exact>(question.ray), sign, question.extent,
+        false);
   };
   return std::visit(outline, question.shape);
 }
 
 ExactRoots exact_roots(const Case& question, bool all) {
   const Scaled scale = is_moderate(question) ? Scaled{question} : scaled(question);
-  const auto settled = [&](const auto& shape) { return roots_of(scale.question.ray, shape, all); };
+  const auto settled = [&](const auto& shape) {
+    return roots_of(scale.question.ray, shape, question.extent, all);
+  };
   ExactRoots found = std::visit(settled, scale.question.shape);
   for (ExactRoot& root : std::span(found.listed.data(), found.count)) {
     root.t.exponent = root.t_last.exponent = scale.t_exponent();

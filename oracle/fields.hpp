@@ -3,13 +3,10 @@
 #include <array>
 #include <cstddef>
 
-#include "geometry/ray.hpp"
-#include "geometry/shapes.hpp"
+#include "geometry/case.hpp"
 #include "oracle/polynomial.hpp"
 
-/// The law: each shape as a scalar field F and side conditions G >= 0, written once, without
-/// division or root. Called with polynomials in t it yields the restriction to a ray; called with
-/// numbers it yields values at a point; with numbers that carry derivatives, derivatives.
+/// What the law (law.hpp) is about, and its restriction to a ray.
 namespace rayaudit::oracle {
 
 /// F = 0 where every G >= 0. One patch of a surface.
@@ -25,69 +22,40 @@ template <class S>
 inline constexpr int apex_side = -1;
 template <class N>
 inline constexpr int apex_side<Cone<N>> = 1;
+template <class N>
+inline constexpr int apex_side<CappedCone<N>> = 1;
 
-template <class A, class B>
-[[gnu::always_inline]] inline auto from(const Vec3<A>& a, const Vec3<B>& b) {
-  return Vec3<decltype(b.x - a.x)>{b.x - a.x, b.y - a.y, b.z - a.z};
+/// Which side conditions of a shape are closed by a cap, the i-th by bit i: a patch of its own with
+/// the field -G_i, negative inside as F is, and the side condition -F >= 0. F, G_i and a cone's h
+/// >= 0 then bound a convex solid, and every edge belongs to its cap.
+template <class S>
+inline constexpr unsigned caps = 0;
+template <class N>
+inline constexpr unsigned caps<CappedCylinder<N>> = 0b11;
+template <class N>
+inline constexpr unsigned caps<CappedCone<N>> = 0b01;
+
+template <class S>
+constexpr bool is_cap(int i) {
+  constexpr unsigned all = caps<S>;
+  return (all >> i & 1U) != 0;
 }
 
-template <class A, class B>
-[[gnu::always_inline]] inline auto inner(const Vec3<A>& a, const Vec3<B>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
+/// Does the i-th side condition of a shape count? All do but of an endless surface, which keeps its
+/// nappe or has both. A closed shape has no such extent.
+template <class S>
+constexpr bool counts(int i, Extent extent) {
+  return caps<S> != 0 || extent == Extent::bounded ||
+         (extent == Extent::unbounded && i == apex_side<S>);
 }
 
-template <class A, class B>
-[[gnu::always_inline]] inline auto outer(const Vec3<A>& a, const Vec3<B>& b) {
-  using C = decltype(a.y * b.z - a.z * b.y);
-  return Vec3<C>{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+}  // namespace rayaudit::oracle
 
-template <class A>
-[[gnu::always_inline]] inline auto norm2(const Vec3<A>& a) {
-  return squared(a.x) + squared(a.y) + squared(a.z);
-}
+#define RAYAUDIT_LAW_NAMESPACE rayaudit::oracle
+#include "oracle/law.hpp"
+#undef RAYAUDIT_LAW_NAMESPACE
 
-/// F = (p - c).n, G = r^2 - |p - c|^2.
-template <class N, class P>
-[[gnu::always_inline]] inline auto patch(const Disk<N>& disk, const Vec3<P>& p) {
-  const auto v = from(disk.centre, p);
-  const auto inside = squared(disk.radius) - norm2(v);
-  return Patch<decltype(inner(v, disk.normal)), std::remove_const_t<decltype(inside)>, 1>{
-      inner(v, disk.normal), {inside}};
-}
-
-/// F = |p - c|^2 - r^2.
-template <class N, class P>
-[[gnu::always_inline]] inline auto patch(const Sphere<N>& sphere, const Vec3<P>& p) {
-  const auto field = norm2(from(sphere.centre, p)) - squared(sphere.radius);
-  return Patch<std::remove_const_t<decltype(field)>, P, 0>{field, {}};
-}
-
-/// v = p - a, w = b - a: F = |v x w|^2 - r^2 |w|^2, G1 = v.w, G2 = |w|^2 - v.w.
-/// |v x w|^2 is |v|^2 |w|^2 - (v.w)^2, in a form that intervals decide more often.
-template <class N, class P>
-[[gnu::always_inline]] inline auto patch(const Cylinder<N>& cylinder, const Vec3<P>& p) {
-  const auto v = from(cylinder.base, p);
-  const auto w = from(cylinder.base, cylinder.top);
-  const auto ww = norm2(w);
-  const auto height = inner(v, w);
-  const auto field = norm2(outer(v, w)) - squared(cylinder.radius) * ww;
-  return Patch<std::remove_const_t<decltype(field)>, std::remove_const_t<decltype(height)>, 2>{
-      field, {height, ww - height}};
-}
-
-/// v = p - a, w = b - a, h = |w|^2 - v.w: F = |w|^2 |v x w|^2 - r^2 h^2, G1 = v.w, G2 = h.
-template <class N, class P>
-[[gnu::always_inline]] inline auto patch(const Cone<N>& cone, const Vec3<P>& p) {
-  const auto v = from(cone.base, p);
-  const auto w = from(cone.base, cone.apex);
-  const auto ww = norm2(w);
-  const auto height = inner(v, w);
-  const auto h = ww - height;
-  const auto field = ww * norm2(outer(v, w)) - squared(cone.radius) * squared(h);
-  return Patch<std::remove_const_t<decltype(field)>, std::remove_const_t<decltype(height)>, 2>{
-      field, {height, h}};
-}
+namespace rayaudit::oracle {
 
 /// A number of a case as the constant polynomial that a field takes.
 template <class N>

@@ -7,10 +7,10 @@ namespace rayaudit::oracle {
 namespace {
 
 template <template <class> class S>
-Outline outline(const Ray<double>& ray, const S<double>& shape) {
+Outline outline(const Ray<double>& ray, const S<double>& shape, Extent extent) {
   Signs<Interval> sign;
-  Outline found = settle<apex_side<S<double>>, Interval>(along_ray<Interval>(ray, shape),
-                                                         Range<Interval>(ray), sign, false);
+  Outline found = settle<S<double>, Interval>(along_ray<Interval>(ray, shape), Range<Interval>(ray),
+                                              sign, extent, false);
   // Where the stretch within the surface begins and ends is left to exact numbers.
   found.unsure |= found.within;
   return found;
@@ -22,8 +22,9 @@ Outline outline(const Ray<double>& ray, const S<double>& shape) {
                                                std::span<Outline> outlines) {
   const Interval::Protector upward;
   for (std::size_t i = 0; i < cases.size(); ++i)
-    with_shape(cases[i]->shape,
-               [&](const auto& shape) { outlines[i] = outline(cases[i]->ray, shape); });
+    with_shape(cases[i]->shape, [&](const auto& shape) {
+      outlines[i] = outline(cases[i]->ray, shape, cases[i]->extent);
+    });
 }
 
 }  // namespace

@@ -116,6 +116,24 @@ struct Change {
   }
 };
 
+/// What must flip for two things to hold; nothing of what holds already.
+Margin both(const Margin& a, const Margin& b) {
+  Margin all = a.reach < b.reach ? b : a;
+  all.together = static_cast<std::int8_t>(a.together + b.together);
+  return all;
+}
+/// For the cheaper of two.
+const Margin& either(const Margin& a, const Margin& b) { return b.reach < a.reach ? b : a; }
+
+constexpr Margin holds = {.reach = 0, .together = 0};
+constexpr Margin never = {.reach = infinity};
+
+/// What of a shape there is, beside its patch.
+struct Cut {
+  Extent extent = Extent::bounded;
+  unsigned caps = 0;
+};
+
 /// The ways to change the truth of a case along its ray, t counted from its middle; P is the patch
 /// restricted to the ray.
 template <class V, std::size_t n, int apex, class P>
@@ -135,6 +153,7 @@ struct Ways {
   bool has_start, has_end;
   Number start, end;
   double extent;
+  Cut cut;
   bool sure = true;  ///< false where V did not tell; nothing else counts then
   Margin least = {.reach = infinity};
 
@@ -183,9 +202,44 @@ struct Ways {
     return g.c[0] * squared(t.den) + g.c[1] * (t.num * t.den) + g.c[2] * squared(t.num);
   }
 
-  /// What a root asks for; of one at infinity, the less of what it asks for at either end.
+  static constexpr std::size_t side_count = std::tuple_size_v<decltype(P::side)>;
+
+  bool counts(int i) const {
+    return cut.extent == Extent::bounded || (cut.extent == Extent::unbounded && i == apex);
+  }
+  bool is_endless() const { return side_count > 0 && cut.extent != Extent::bounded; }
+
+  /// What a root asks for.
   template <class G>
   Change change(const Place& t, const G& side, bool opens_outward) {
+    Change found = change_in_reach(t, side, opens_outward);
+    if (!is_endless()) return found;
+    Margin parallel = flip(t.den, scale_of(t.num, t.den, extent), 1, Sign::discriminant, 0);
+    // A ray along a plane misses it but where it begins, so there no root need be far.
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(patch.field)>, Linear>)
+      parallel = either(parallel, flip(t.den, {}, 1, Sign::discriminant, 0));
+    if (found.is_crossing)
+      found.lose = either(found.lose, parallel);
+    else if (is_met_beyond_infinity(t, side))
+      found.gain = either(found.gain, parallel);
+    return found;
+  }
+
+  /// An endless surface is met far out, too: is a root still one once it has gone through infinity?
+  template <class G>
+  bool is_met_beyond_infinity(const Place& t, const G& side) {
+    const Slope num = leading(t.num.value), den = leading(t.den.value);
+    const bool comes_last = (num < 0) == (den > 0);
+    if (comes_last ? has_end : has_start) return false;
+    if constexpr (apex >= 0)
+      if (counts(apex)) return (leading(side[apex].c[1].value) > 0) == comes_last;
+    return true;
+  }
+
+  /// What a root asks for while it does not go through infinity; of one there, the less of what it
+  /// asks for at either end.
+  template <class G>
+  Change change_in_reach(const Place& t, const G& side, bool opens_outward) {
     const bool at_infinity = leading(t.den.value) == 0 || !is_known(t.den.value);
     const Change found = change(t, side, opens_outward, leading(t.den.value) < 0);
     if (!at_infinity) return found;
@@ -194,7 +248,7 @@ struct Ways {
   }
 
   /// Its signs are taken without a division, so that none flips while the root goes through
-  /// infinity: that alone changes no truth, for our shapes are bounded.
+  /// infinity: that alone changes no truth of a bounded shape.
   template <class G, std::size_t sides>
   Change change(const Place& t, const std::array<G, sides>& side, bool opens_outward, bool turned) {
     Change found;
@@ -207,6 +261,7 @@ struct Ways {
     if (has_start) see(t.num - t.den * start, 1, Sign::start, 0);
     if (has_end) see(t.den * end - t.num, 1, Sign::end, 0);
     for (int i = 0; i < static_cast<int>(sides); ++i) {
+      if (!counts(i)) continue;
       const Number s = at(t, side[i]);
       if (i != apex || opens_outward)
         see(s, std::is_same_v<G, Linear> ? 1 : 2, Sign::side, i);
@@ -242,6 +297,8 @@ struct Ways {
     const Number d = squared(b) - twice(twice(a * c));
     const int sign_d = sign_of(d);
     if (!sure) return;
+    if constexpr (std::is_same_v<G, std::array<Linear, 2>>)
+      if (cut.caps != 0 && !vanishes(f)) return settle_closed(f, d, sign_d);
     if (sign_d > 0)
       settle_two(f, d, side);
     else if (vanishes(f))
@@ -276,6 +333,199 @@ struct Ways {
     if (hit && opens_outward) take(flip_discriminant(d, a), 0);
   }
 
+  /// A bound of the stretch that the line has in common with a closed shape: a root of F, or a
+  /// cap's where cap >= 0.
+  struct Bound {
+    Place t;
+    int cap = -1, root = 0;
+  };
+  struct Bounds {
+    std::array<Bound, 3> listed = {};
+    std::size_t count = 0;
+
+    void add(const Bound& bound) { listed[count++] = bound; }
+    auto begin() const { return listed.begin(); }
+    auto end() const { return listed.begin() + count; }
+  };
+
+  /// What it takes for s to be above 0, or for it not to be.
+  static Margin taken(Margin flip, const Bound& at, bool holds_already) {
+    if (holds_already) return holds;
+    flip.root = static_cast<std::int8_t>(at.root);
+    flip.patch = static_cast<std::int8_t>(at.cap + 1);
+    return flip;
+  }
+
+  /// What it takes for a bound to lie before the start or end of the range, or behind it. That of a
+  /// cap is told by the cap's side condition there, whatever the bound does far away.
+  Margin beside(const Bound& bound, Sign sign, bool behind) {
+    const Number& end_of_range = sign == Sign::start ? start : end;
+    const Number s = bound.t.num - bound.t.den * end_of_range;
+    const bool is_behind = (leading(s.value) > 0) == (leading(bound.t.den.value) > 0);
+    const Margin cost = flip(s, scale_of(bound.t.num, bound.t.den, extent), 1, sign, 0);
+    return taken(cost, bound, is_behind == behind);
+  }
+
+  /// What it takes for a sign at a bound to be that.
+  Margin sign_at(const Bound& bound, const Number& s, int degree, int side, bool positive) {
+    const bool turned = degree == 1 && leading(bound.t.den.value) < 0;
+    const bool is_positive = turned ? leading(s.value) < 0 : leading(s.value) > 0;
+    const Margin cost =
+        flip(s, scale_of(bound.t.num, bound.t.den, extent), degree, Sign::side, side);
+    return taken(cost, bound, is_positive == positive);
+  }
+
+  /// Where F is below 0 along the line, on the cone's own nappe: from lower to upper, where it has
+  /// these; and what else it takes for there to be such a stretch.
+  struct Lateral {
+    std::optional<Bound> lower, upper;
+    Margin exists = holds, ceases = never;
+
+    void needs(const Margin& gain, const Margin& loss) {
+      exists = both(exists, gain);
+      ceases = either(ceases, loss);
+    }
+  };
+
+  Lateral lateral(const Quadratic& f, const Number& d, int sign_d) {
+    const auto& [c, b, a] = f.c;
+    const int sign_a = sign_of(a);
+    Lateral found;
+    if (sign_d > 0) {
+      const bool positive = leading(b.value) >= 0;
+      const Number root = root_of(d), m = positive ? -(b + root) : root - b;
+      const Bound by_a = {{m, twice(a)}}, by_c = {{twice(c), m}};
+      const bool smaller_by_a = positive == (sign_a > 0);
+      Bound smaller = smaller_by_a ? by_a : by_c, larger = smaller_by_a ? by_c : by_a;
+      larger.root = 1;
+      if (sign_a > 0) {
+        found.lower = smaller, found.upper = larger;
+      } else if (sign_a == 0) {
+        // The only root, which is by_c.
+        (positive ? found.upper : found.lower) = by_c;
+      } else if (sign_of(patch.side[1].c[1]) > 0) {
+        found.lower = larger;
+      } else {
+        found.upper = smaller;
+      }
+    } else if (sign_a > 0) {
+      found.lower = found.upper = Bound{{-b, twice(a)}};
+    } else if (leading(c.value) > 0) {
+      found.exists = flip(c, {}, 1, Sign::discriminant, 0);
+    }
+    if (sign_a > 0) {
+      const Margin cost = flip_discriminant(d, a);
+      found.needs(sign_d > 0 ? holds : cost, sign_d > 0 ? cost : holds);
+    }
+    if constexpr (apex >= 0)
+      // A steep line keeps its nappe.
+      for (const auto& bound : {found.lower, found.upper})
+        if (bound && sign_a >= 0) {
+          const Number h = at(bound->t, patch.side[apex]);
+          found.needs(sign_at(*bound, h, 1, apex, true), sign_at(*bound, h, 1, apex, false));
+        }
+    return found;
+  }
+
+  /// Is a root further off than another?
+  static bool is_farther(const Place& t, const Place& other) {
+    using std::fabs;
+    return fabs(leading(t.num.value) * leading(other.den.value)) >
+           fabs(leading(other.num.value) * leading(t.den.value));
+  }
+
+  /// What it takes for a root of F to come to lie on a cap's inner side, or outer side. Where it
+  /// gets there F vanishes at the cap's own root, and what is nearer tells it better; but on the
+  /// way out F may vanish there by its other root.
+  Margin at_edge(const Bound& bound, int cap, bool inside) {
+    const Margin by_side = sign_at(bound, at(bound.t, patch.side[cap]), 1, cap, inside);
+    const Bound own = {cap_root(cap), cap};
+    if (by_side.together == 0 || is_farther(own.t, bound.t)) return by_side;
+    const Number f = at(own.t, patch.field);
+    const Margin by_field =
+        taken(flip(f, scale_of(own.t.num, own.t.den, extent), 2, Sign::side, cap), own, false);
+    return inside || by_side.reach < by_field.reach ? by_field : by_side;
+  }
+
+  Place cap_root(int cap) const { return {-patch.side[cap].c[0], patch.side[cap].c[1]}; }
+
+  /// What it takes for the line to pass a cap inside its edge, or outside.
+  Margin through_cap(int cap, bool inside) {
+    const Bound own = {cap_root(cap), cap};
+    return sign_at(own, at(own.t, patch.field), 2, cap, !inside);
+  }
+
+  /// A closed shape: the line has one stretch in common with it, from the last of its lower bounds
+  /// to the first of its upper ones. The truth is where that begins, where it ends, or that there
+  /// is none of it in the range; the margin is the least that it takes for another of these.
+  void settle_closed(const Quadratic& f, const Number& d, int sign_d) {
+    const Lateral side_wall = lateral(f, d, sign_d);
+    Bounds lower, upper;
+    Margin exists = side_wall.exists, ceases = side_wall.ceases;
+    Margin leaves_caps = holds, enters_cap = never;
+    int passed = 0;
+    if (side_wall.lower) lower.add(*side_wall.lower);
+    if (side_wall.upper) upper.add(*side_wall.upper);
+    for (int i = 0; i < 2; ++i) {
+      if ((cut.caps >> i & 1U) == 0) continue;
+      const int rise = sign_of(patch.side[i].c[1]);
+      if (rise != 0) (rise > 0 ? lower : upper).add({cap_root(i), i});
+      // Something is left inside the cap where one end is; far out the rise of the line tells.
+      Margin left = never, gone = holds;
+      const auto meet = [&](const Bound& bound) {
+        left = either(left, at_edge(bound, i, true));
+        gone = both(gone, at_edge(bound, i, false));
+      };
+      const bool by_lower = side_wall.lower && (rise <= 0 || side_wall.upper);
+      const bool by_upper = side_wall.upper && (rise >= 0 || side_wall.lower);
+      if (by_lower) meet(*side_wall.lower);
+      if (by_upper) meet(*side_wall.upper);
+      if (by_lower || by_upper) {
+        exists = both(exists, left);
+        ceases = either(ceases, gone);
+      }
+      if (rise != 0) {
+        passed += through_cap(i, true).together == 0 ? 1 : 0;
+        leaves_caps = both(leaves_caps, through_cap(i, false));
+        enters_cap = either(enters_cap, through_cap(i, true));
+      }
+    }
+    // Outside the endless surface a line comes in by a cap, too; and one that comes in by one and
+    // goes out by the other has left neither before it has left both.
+    if (sign_d <= 0) exists = either(exists, enters_cap);
+    if (passed == 2) ceases = leaves_caps;
+    take_other_than_truth(lower, upper, exists, ceases);
+  }
+
+  void take_other_than_truth(const Bounds& lower, const Bounds& upper, const Margin& exists,
+                             const Margin& ceases) {
+    const auto all = [&](const Bounds& bounds, Sign sign, bool behind) {
+      Margin cost = holds;
+      for (const Bound& bound : bounds) cost = both(cost, beside(bound, sign, behind));
+      return cost;
+    };
+    const auto any = [&](const Bounds& bounds, Sign sign, bool behind) {
+      Margin cost = never;
+      for (const Bound& bound : bounds) cost = either(cost, beside(bound, sign, behind));
+      return cost;
+    };
+    Margin begins = exists, ends = has_start ? exists : never, misses = ceases;
+    if (has_start) {
+      begins = both(begins, any(lower, Sign::start, true));
+      ends = both(both(ends, all(lower, Sign::start, false)), all(upper, Sign::start, true));
+      misses = either(misses, any(upper, Sign::start, false));
+    }
+    if (has_end) {
+      begins = both(begins, all(lower, Sign::end, false));
+      ends = both(ends, any(upper, Sign::end, false));
+      misses = either(misses, any(lower, Sign::end, true));
+    }
+    if (has_start && has_end)
+      misses = either(misses, both(all(lower, Sign::start, false), all(upper, Sign::end, true)));
+    for (const Margin& other : {begins, ends, misses})
+      if (other.reach > 0 && other.reach < least.reach) least = other;
+  }
+
   static Number root_of(const Number& d) {
     Number root(sqrt(d.value));
     const Slope by_d = 1 / (2 * leading(root.value));
@@ -305,7 +555,8 @@ struct Ways {
       g[count] = condition;
       named[count++] = {.sign = sign, .side = static_cast<std::int8_t>(i)};
     };
-    for (std::size_t i = 0; i < sides; ++i) add(side[i], Sign::side, i);
+    for (std::size_t i = 0; i < sides; ++i)
+      if (counts(static_cast<int>(i))) add(side[i], Sign::side, i);
     if (has_start) add({{-start, Number(V(1))}}, Sign::start, 0);
     if (has_end) add({{end, Number(V(-1))}}, Sign::end, 0);
     Change found;
@@ -324,7 +575,7 @@ struct Ways {
 
 /// The margin of a case; nothing where V does not tell.
 template <class V, template <class> class S>
-std::optional<Margin> margin_in(const Ray<double>& ray, const S<double>& shape) {
+std::optional<Margin> margin_in(const Ray<double>& ray, const S<double>& shape, const Cut& cut) {
   constexpr std::size_t n = variable_count<S<double>>();
   using Number = Dual<V, n>;
   using Linear = Polynomial<Number, 1>;
@@ -341,7 +592,7 @@ std::optional<Margin> margin_in(const Ray<double>& ray, const S<double>& shape) 
   const Number start = has_start ? variable(ray.t_min) - centre : Number();
   const Number end = has_end ? variable(ray.t_max) - centre : Number();
   Ways<V, n, apex_side<S<double>>, std::remove_const_t<decltype(restricted)>> ways{
-      variable.weight, restricted, has_start, has_end, start, end, extent(ray, shape)};
+      variable.weight, restricted, has_start, has_end, start, end, extent(ray, shape), cut};
   ways.settle(restricted.field, restricted.side);
   if (!ways.sure) return {};
   return ways.least;
@@ -349,8 +600,19 @@ std::optional<Margin> margin_in(const Ray<double>& ray, const S<double>& shape) 
 
 template <class V>
 std::optional<Margin> margin_in(const Case& question) {
-  return std::visit([&](const auto& shape) { return margin_in<V>(question.ray, shape); },
-                    question.shape);
+  const Cut cut = {question.extent};
+  const auto in_shape = [&]<class S>(const S& shape) {
+    // With the numbers and the text of the open shape, which are the same.
+    if constexpr (caps<S> == 0)
+      return margin_in<V>(question.ray, shape, cut);
+    else if constexpr (apex_side<S> < 0)
+      return margin_in<V>(question.ray, Cylinder<double>{shape.base, shape.top, shape.radius},
+                          {.caps = caps<S>});
+    else
+      return margin_in<V>(question.ray, Cone<double>{shape.base, shape.apex, shape.radius},
+                          {.caps = caps<S>});
+  };
+  return std::visit(in_shape, question.shape);
 }
 
 /// A reach is above 0, for there is no touch; and a number that moves by all of itself may vanish.

@@ -12,7 +12,8 @@ namespace rayaudit::oracle {
 /// A sign that the truth rests on.
 enum class Sign : std::uint8_t {
   touch,         ///< the truth has a touch: some sign is 0 already
-  discriminant,  ///< whether F has real roots
+  discriminant,  ///< whether F has real roots; of an endless surface, whether this one is at
+                 ///< infinity
   start,         ///< of t - t_min
   end,           ///< of t_max - t
   side,          ///< of a side condition
@@ -30,6 +31,8 @@ struct Margin {
   std::int8_t root = 0;      ///< at which real root of F in order along the line, from 0; of a
                              ///< discriminant that is 0 or less, at the tangent point
   std::int8_t together = 1;  ///< how many signs flip together
+  std::int8_t patch = 0;  ///< else than 0 where it is not F's root but a cap's, as in Crossing; the
+                          ///< side condition there is -F
 };
 
 /// The margin of a valid case, of which this is the truth.

@@ -53,10 +53,19 @@ template <class V>
   return {in_number<V>(p.x), in_number<V>(p.y), in_number<V>(p.z)};
 }
 
-/// F at a point with its derivatives by the point and, where n has room for them, by the numbers of
-/// the shape in their order.
+/// The field of a patch: F, or a cap's.
+template <class S, class P>
+[[gnu::always_inline]] inline auto field_of(const P& restricted, int patch) {
+  if constexpr (caps<S> != 0)
+    if (patch != 0) return decltype(restricted.field)(-restricted.side[patch - 1]);
+  return restricted.field;
+}
+
+/// The field of a patch at a point with its derivatives by the point and, where n has room for
+/// them, by the numbers of the shape in their order.
 template <class V, std::size_t n, template <class> class S>
-[[gnu::always_inline]] inline Dual<V, n> field_at(const S<double>& shape, const Vec3<V>& p) {
+[[gnu::always_inline]] inline Dual<V, n> field_at(const S<double>& shape, const Vec3<V>& p,
+                                                  int patch_number) {
   using Number = Dual<V, n>;
   std::size_t next = 3;
   const auto variable = [&](double x) __attribute__((always_inline)) {
@@ -72,14 +81,14 @@ template <class V, std::size_t n, template <class> class S>
   const auto numbers = std::apply(
       [&](const auto&... part) { return S<Number>{Seed{variable}(part)...}; }, shape.parts());
   const Vec3<Number> point = {Number(p.x, 0), Number(p.y, 1), Number(p.z, 2)};
-  return patch(numbers, point).field;
+  return field_of<S<double>>(patch(numbers, point), patch_number);
 }
 
 /// |F| / |grad F| in exact numbers: sqrt(F^2 g) / g with g = |grad F|^2.
-Position exact_position(const Shape& shape, const Vec3<Real>& point) {
+Position exact_position(const Shape& shape, const Vec3<Real>& point, int patch) {
   return std::visit(
       [&](const auto& s) -> Position {
-        const Dual<Exact, 3> f = field_at<Exact, 3>(s, in_number<Exact>(point));
+        const Dual<Exact, 3> f = field_at<Exact, 3>(s, in_number<Exact>(point), patch);
         const Exact g = f.by[0] * f.by[0] + f.by[1] * f.by[1] + f.by[2] * f.by[2];
         const double undefined = std::numeric_limits<double>::quiet_NaN();
         if (g.sign() == 0) return {f.value.sign(), {undefined, 0, 0, 0}};
@@ -109,6 +118,15 @@ template <class V>
   return f.c[1] + twice(V(f.c[2] * t));
 }
 
+template <class V, class S>
+[[gnu::always_inline]] inline V slope(const Ray<double>& ray, const S& shape, int patch_number,
+                                      const V& t) {
+  const auto restricted = along_ray<V>(ray, shape);
+  if constexpr (caps<S> != 0)
+    if (patch_number != 0) return -restricted.side[patch_number - 1].c[1];
+  return slope(restricted.field, t);
+}
+
 template <class V>
 [[gnu::always_inline]] inline V size(const V& x) {
   return x < V(0) ? V(-x) : x;
@@ -116,14 +134,14 @@ template <class V>
 
 template <class V, template <class> class S>
 [[gnu::always_inline]] inline auto motion(const Ray<double>& ray, const S<double>& shape,
-                                          const V& t) {
+                                          int patch_number, const V& t) {
   constexpr std::size_t n = 3 + number_count<S<double>>();
   using Slope = typename SlopeOf<V>::type;
   const auto& [o, d] = std::tie(ray.origin, ray.direction);
   const Vec3<V> p = {V(o.x) + t * V(d.x), V(o.y) + t * V(d.y), V(o.z) + t * V(d.z)};
-  const auto& by = field_at<V, n>(shape, p).by;
+  const auto by = field_at<V, n>(shape, p, patch_number).by;
   Motion<V> sum;
-  sum.by_t = slope(along_ray<V>(ray, shape).field, t);
+  sum.by_t = slope<V>(ray, shape, patch_number, t);
   const Slope lead = leading(t);
   const auto along = [&](double origin, double direction, const Slope& by_point) {
     sum.by_inputs =
@@ -157,12 +175,27 @@ constexpr Sensitivity at_double_root(int sign) {
   return {{std::numeric_limits<double>::infinity(), 0, 0, 0}, sign};
 }
 
-Sensitivity exact_sensitivity(const Case& question, const Real& t) {
+/// Before a double root of F the sign of F is that about it; but at the apex of a closed cone a
+/// steep line comes from outside or inside, as h rises or falls, whatever the mirrored nappe has
+/// it.
+template <class S, class P>
+int sign_before_double_root(const P& restricted, int about) {
+  if constexpr (caps<S> != 0 && apex_side<S> >= 0)
+    if (about < 0) return restricted.side[apex_side<S>].c[1].sign();
+  return about;
+}
+
+Sensitivity exact_sensitivity(const Case& question, const Crossing& crossing) {
   return std::visit(
       [&](const auto& shape) -> Sensitivity {
-        const auto field = along_ray<Exact>(question.ray, shape).field;
-        if (const int sign = sign_about_double_root(field); sign != 0) return at_double_root(sign);
-        const Motion<Exact> sum = motion<Exact>(question.ray, shape, in_number<Exact>(t));
+        using S = std::remove_cvref_t<decltype(shape)>;
+        const auto restricted = along_ray<Exact>(question.ray, shape);
+        const auto& field = restricted.field;
+        if (crossing.patch == 0)
+          if (const int sign = sign_about_double_root(field); sign != 0)
+            return at_double_root(sign_before_double_root<S>(restricted, sign));
+        const Motion<Exact> sum =
+            motion<Exact>(question.ray, shape, crossing.patch, in_number<Exact>(crossing.t));
         // Two roots so near each other that t does not tell them apart: between them there is
         // nothing.
         if (sum.by_t.sign() == 0) return at_double_root(sign_outside(field));
@@ -173,36 +206,37 @@ Sensitivity exact_sensitivity(const Case& question, const Real& t) {
 
 }  // namespace
 
-Position position(const Shape& shape, const Vec3<Real>& point) {
+Position position(const Shape& shape, const Vec3<Real>& point, int patch) {
   int sign = 0;
   double distance = 0;
   run_fused([&]() __attribute__((always_inline)) {
     with_shape(
         shape, [&](const auto& s) __attribute__((always_inline)) {
-          const Dual<Bounded, 3> f = field_at<Bounded, 3>(s, in_number<Bounded>(point));
+          const Dual<Bounded, 3> f = field_at<Bounded, 3>(s, in_number<Bounded>(point), patch);
           const double g = f.by[0] * f.by[0] + f.by[1] * f.by[1] + f.by[2] * f.by[2];
           if (usable(g) && known_to(f.value, 0x1p-34)) sign = proved_sign(f.value);
           distance = std::fabs(f.value.high) / std::sqrt(g);
         });
   });
-  if (sign == 0 || !usable(distance)) return exact_position(shape, point);
+  if (sign == 0 || !usable(distance)) return exact_position(shape, point, patch);
   return {sign, {distance, 0, 0, 0}};
 }
 
 Sensitivity sensitivity(const Case& question, const Crossing& crossing) {
-  // There t has no derivative, and the line lies in F >= 0.
-  if (crossing.kind == Kind::tangent || crossing.kind == Kind::apex) return at_double_root(1);
-  if (!is_moderate(question)) return exact_sensitivity(question, crossing.t);
+  // There t has no derivative, and the line lies in F >= 0 but where it goes on into another nappe.
+  const bool is_apex = crossing.kind == Kind::apex && question.extent != Extent::both_nappes;
+  if (crossing.kind == Kind::tangent || is_apex) return at_double_root(1);
+  if (!is_moderate(question)) return exact_sensitivity(question, crossing);
   Motion<Bounded> sum;
   run_fused([&]() __attribute__((always_inline)) {
     with_shape(
         question.shape, [&](const auto& shape) __attribute__((always_inline)) {
-          sum = motion<Bounded>(question.ray, shape, in_number<Bounded>(crossing.t));
+          sum =
+              motion<Bounded>(question.ray, shape, crossing.patch, in_number<Bounded>(crossing.t));
         });
   });
   const double forced = sum.by_inputs / std::fabs(sum.by_t.high);
-  if (!usable(forced) || !known_to(sum.by_t, 0x1p-34))
-    return exact_sensitivity(question, crossing.t);
+  if (!usable(forced) || !known_to(sum.by_t, 0x1p-34)) return exact_sensitivity(question, crossing);
   return {{forced, 0, 0, 0}, -proved_sign(sum.by_t)};
 }
 

@@ -13,11 +13,10 @@ Invalid flaw(const Disk<double>& disk) {
   return is_zero(disk.normal) ? Invalid::zero_normal : Invalid::no;
 }
 Invalid flaw(const Sphere<double>&) { return Invalid::no; }
-Invalid flaw(const Cylinder<double>& cylinder) {
-  return cylinder.base == cylinder.top ? Invalid::zero_axis : Invalid::no;
-}
-Invalid flaw(const Cone<double>& cone) {
-  return cone.base == cone.apex ? Invalid::zero_axis : Invalid::no;
+template <class S>
+Invalid flaw(const S& shape) {
+  const auto& [base, end, radius] = shape;
+  return base == end ? Invalid::zero_axis : Invalid::no;
 }
 
 Invalid not_finite(const Case& question) {

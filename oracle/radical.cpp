@@ -188,9 +188,12 @@ std::string with_point(const std::string& digits, long exponent) {
   return digits.substr(0, exponent) + "." + digits.substr(exponent);
 }
 
+double infinity_of(int sign) { return sign * std::numeric_limits<double>::infinity(); }
+
 }  // namespace
 
 Real value(const Radical& x, int bits) {
+  if (x.infinite != 0) return rayaudit::real(infinity_of(x.infinite));
   if (is_zero(x)) return {};
   if (const auto quick = bounded(x); quick && known_to(*quick, std::ldexp(1.0, -bits)))
     return {quick->high, quick->low, 0, x.exponent};
@@ -201,6 +204,7 @@ Real value(const Radical& x, int bits) {
 
 template <class N>
 N nearest(const Radical& x) {
+  if (x.infinite != 0) return static_cast<N>(infinity_of(x.infinite));
   if (is_zero(x)) return 0;
   Digits digits = digits_of(integers(x), 160);
   digits.exponent += x.exponent;
@@ -211,6 +215,7 @@ template double nearest(const Radical&);
 template long double nearest(const Radical&);
 
 Spelled spelled(const Radical& x, int digits) {
+  if (x.infinite != 0) return {{}, x.infinite < 0 ? "-inf" : "inf", true};
   if (is_zero(x)) return {"0", "0", true};
   const IntegerRadical whole = integers(x);
   const auto bits = 4 * static_cast<std::size_t>(digits) + 64;

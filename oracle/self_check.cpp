@@ -32,6 +32,16 @@ constexpr std::array proved = {
     Proved{"cone 0 0 0 0 1 0 1 ray -3 1 0 1 0 0", Kind::apex, 3},
     Proved{"cone 0 0 0 0 1 0 1 ray 0 -3 0 0 2 0", Kind::proper, 2},
     Proved{"cone 0 0 0 0 1 0 1 ray -3 1.5 0 1 0 0", Kind::proper, {}},
+    Proved{"capped_cylinder 0 0 0 0 1 0 5 ray -9 0.5 4 2 0 0", Kind::proper, 3},
+    Proved{"capped_cylinder 0 0 0 0 1 0 1 ray 0.5 3 0 0 -2 0", Kind::proper, 1},
+    Proved{"capped_cylinder 0 0 0 0 1 0 1 ray -2 2 0 1 -1 0", Kind::proper, 1},
+    Proved{"capped_cylinder 0 0 0 0 1 0 1 ray -2 0 0 1 1 0", Kind::rim, 1},
+    Proved{"capped_cylinder 0 0 0 0 1 0 1 ray -3 1 0 1 0 0", Kind::within, 2},
+    Proved{"capped_cylinder 0 0 0 0 1 0 1 ray 1.5 -2 0 0 1 0", Kind::proper, {}},
+    Proved{"capped_cone 0 0 0 0 1 0 1 ray -3 1 0 1 0 0", Kind::apex, 3},
+    Proved{"capped_cone 0 0 0 0 1 0 1 ray 0 3 0 0 -1 0", Kind::proper, 2},
+    Proved{"capped_cone 0 0 0 0 1 0 1 ray 0.25 -3 0 0 2 0", Kind::proper, 1.5},
+    Proved{"capped_cone 0 0 0 0 1 0 1 ray -3 1.5 0 1 0 0", Kind::proper, {}},
 };
 
 bool agrees(const Proved& known, std::span<const Crossing> found) {
@@ -52,7 +62,7 @@ std::optional<std::string> self_check() {
   for (const Proved& known : proved) {
     const Case question = read_case_line(known.line).question;
     const ExactRoots exact = exact_roots(question, false);
-    std::array<Crossing, Truth::most> crossings;
+    std::array<Crossing, Truth::most_roots> crossings;
     for (int i = 0; i < exact.count; ++i)
       crossings[i] = {exact.listed[i].outlined.kind, value(exact.listed[i].t, 63), {}};
     if (!agrees(known, {crossings.data(), exact.count}))

@@ -15,9 +15,9 @@ void outline_by_intervals(std::span<const Case* const> cases, std::span<Outline>
 /// Stage 2: the outline of a valid case in exact numbers, never unsure.
 Outline outline_exactly(const Case& question);
 
-/// The t of both roots of F (of one in values[i][0], where F has one), in double-word numbers with
-/// their proved bound, for every case whose outline has a crossing.
-using Values = std::array<Bounded, Truth::most>;
+/// The t of every root, each at its place, in double-word numbers with their proved bound, for
+/// every case whose outline has a crossing.
+using Values = std::array<Bounded, Truth::most_roots>;
 void values_by_bounds(std::span<const Case* const> cases, std::span<const Outline> outlines,
                       std::span<Values> values);
 

@@ -33,37 +33,45 @@ std::string_view name(Invalid invalid);
 enum class Kind : std::uint8_t {
   proper,
   tangent,  ///< a double root
-  rim,      ///< a side condition is exactly 0
-  apex,     ///< the line passes outside the cone at its apex
-  start,    ///< t is exactly t_min
-  end,      ///< t is exactly t_max
-  within,   ///< the ray lies in the surface, from t to t_last
+  rim,     ///< a side condition is exactly 0; of a closed shape, an edge that the line only touches
+  apex,    ///< the line passes outside the cone at its apex, or from one nappe into the other where
+           ///< both count: it stays on its side of the surface
+  start,   ///< t is exactly t_min
+  end,     ///< t is exactly t_max
+  within,  ///< the ray lies in the surface, from t to t_last
 };
 std::string_view name(Kind kind);
 
 struct Crossing {
   Kind kind = Kind::proper;
   Real t = {};
-  Real t_last = {};  ///< of a within: where the stretch ends; else t
+  Real t_last = {};  ///< of a within: where the stretch ends, which may be infinite; else t
+  /// The patch that it lies on: 0, or of a closed shape's cap one more than the number of the side
+  /// condition that the cap closes. An edge is its cap's.
+  std::uint8_t patch = 0;
 };
 
-/// Which arithmetic decided: CGAL's intervals, or exact numbers.
-enum class Stage : std::uint8_t { interval, exact };
+/// Which arithmetic decided: numbers of two words in lanes, of three, CGAL's intervals, or exact
+/// numbers.
+enum class Stage : std::uint8_t { lanes, wide_lanes, interval, exact };
+inline constexpr std::size_t stage_count = 4;
+std::string_view name(Stage stage);
 
 /// The crossings up to and including the first proper one, in order along the ray. Acceptable are
 /// that proper hit (a miss where there is none), or any touch before it.
 struct Truth {
-  static constexpr int most = 2;  ///< crossings of a ray with one patch of degree 2
+  static constexpr int most = 2;  ///< crossings: every shape is of degree 2, or convex and closed
+  static constexpr int most_roots = 4;  ///< real roots, over all patches of a shape
 
   Invalid invalid = Invalid::no;
-  Stage stage = Stage::interval;
+  Stage stage = Stage::lanes;
   std::uint8_t count = 0;
   std::array<Crossing, most> listed = {};
   /// The other real roots of F on the line, to 2^-60, where they came at no price; a subject may
   /// have answered one of those.
   bool others_known = false;
   std::uint8_t other_count = 0;
-  std::array<Real, most> other_roots = {};
+  std::array<Real, most_roots> other_roots = {};
 
   std::span<const Crossing> crossings() const& { return {listed.data(), count}; }
   void crossings() const&& = delete;  ///< would not outlive the truth
@@ -76,7 +84,7 @@ struct Truth {
   bool has_touch() const { return count > (hit() ? 1 : 0); }
   /// Back to a miss; what lies behind the counts may stay.
   void clear() {
-    invalid = Invalid::no, stage = Stage::interval;
+    invalid = Invalid::no, stage = Stage::lanes;
     count = other_count = 0;
     others_known = false;
   }
@@ -92,13 +100,13 @@ void truth(std::span<const Case> cases, std::span<Truth> truths,
            int bits = bits_for(double_format));
 Truth truth(const Case& question, int bits = bits_for(double_format));
 
-/// How a real root of F stands on its ray.
+/// How a real root of F, or of a cap's field, stands on its ray.
 enum class Standing : std::uint8_t {
   acceptable,  ///< a crossing of the truth
   later,       ///< a crossing, but behind the first proper one
   behind,      ///< t < t_min
   past,        ///< t > t_max
-  clipped,     ///< a side condition is negative
+  clipped,     ///< a side condition is negative; of a cap's: outside its edge
   mirrored,    ///< on the cone's other nappe
 };
 std::string_view name(Standing standing);
@@ -109,12 +117,13 @@ struct Root {
   Kind kind = Kind::proper;  ///< of a crossing
 };
 
-/// Every real root of F along the whole line, in order (a double root once), each t within
-/// 2^-bits |t|; none where F vanishes all along. The case must be valid. Slower than truth.
+/// Every real root of F, and of a closed shape's caps, along the whole line, in order (a double
+/// root once, and one at an edge once), each t within 2^-bits |t|; none where the line lies in a
+/// patch. The case must be valid. Slower than truth.
 struct Roots {
-  bool constant = false;  ///< F is the same all along the line
+  bool constant = false;  ///< F is the same all along the line, or a cap's field 0 all along
   std::uint8_t count = 0;
-  std::array<Root, Truth::most> listed = {};
+  std::array<Root, Truth::most_roots> listed = {};
 
   std::span<const Root> roots() const& { return {listed.data(), count}; }
   void roots() const&& = delete;  ///< would not outlive this

@@ -25,10 +25,24 @@ namespace {
 template <int degree>
 [[gnu::always_inline]] inline Values roots(const Polynomial<Bounded, degree>& field, Which first) {
   if constexpr (degree == 2) {
-    if (first == Which::smaller) return quadratic_roots(field);
+    if (first == Which::smaller || first == Which::larger) return quadratic_roots(field);
     if (first == Which::twofold) return {-field.c[1] / twice(field.c[2])};
   }
   return {linear_root(field.c[0], field.c[1])};
+}
+
+template <class S>
+[[gnu::always_inline]] inline Values roots(const Ray<double>& ray, const S& shape,
+                                           const Outline& outline) {
+  const auto patch = along_ray<Bounded>(ray, shape);
+  if constexpr (caps<S> == 0) {
+    return roots(patch.field, outline.listed[0].which);
+  } else {
+    Values all = roots(patch.field, outline.lateral);
+    for (int i = 0; i < static_cast<int>(patch.side.size()); ++i)
+      if (is_cap<S>(i)) all[2 + i] = linear_root(patch.side[i].c[0], patch.side[i].c[1]);
+    return all;
+  }
 }
 
 [[gnu::always_inline]] inline bool is_crossing(const Outlined& root) {
@@ -45,7 +59,7 @@ void values_by_bounds(std::span<const Case* const> cases, std::span<const Outlin
       if (std::none_of(listed.begin(), listed.end(), is_crossing)) continue;
       with_shape(
           cases[i]->shape, [&](const auto& shape) __attribute__((always_inline)) {
-            values[i] = roots(along_ray<Bounded>(cases[i]->ray, shape).field, listed[0].which);
+            values[i] = roots(cases[i]->ray, shape, outlines[i]);
           });
     }
   });

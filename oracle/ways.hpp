@@ -34,8 +34,8 @@ Way answer_by_epeck;
 /// not safe in threads.
 Way answer_by_epeck_sqrt;
 
-/// By the truth, t correctly rounded to double; the stage is 1 where intervals decided, 2 where
-/// exact numbers did.
+/// By the truth, t correctly rounded to double; the stage is 1 where lanes decided, 2
+/// where intervals did, 3 where exact numbers.
 Way answer_by_truth;
 
 }  // namespace rayaudit::oracle

@@ -22,7 +22,12 @@ static void disks(const rayaudit_case* cases, size_t count, rayaudit_answer* ans
   for (size_t i = 0; i < count; ++i) answers[i] = meet(cases[i].ray, cases[i].is.disk);
 }
 
-static const rayaudit_convention rim_is_hit = {0, RAYAUDIT_IS_HIT, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+static rayaudit_convention rim_is_hit() {
+  rayaudit_convention made = {};
+  made.rim = RAYAUDIT_IS_HIT;
+  return made;
+}
+
 static const rayaudit_subject subjects[] = {
-    {"mine", "float", rim_is_hit, disks, nullptr, nullptr, nullptr}};
+    {"mine", "float", rim_is_hit(), disks, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr}};
 RAYAUDIT_PLUGIN(subjects)

@@ -123,9 +123,9 @@ double guess_of(const Polynomial<N, 2>& f, Which which) {
   return by_a ? m / (2 * a) : 2 * c / m;
 }
 
-/// Calls visit(root, guess) with the root of a field that an outline lists.
+/// Calls visit(root, guess) with a root of a field.
 template <class N, int degree, class V>
-auto with_root(const Polynomial<N, degree>& field, Which which, Signs<N>& sign, V&& visit) {
+auto with_root_of(const Polynomial<N, degree>& field, Which which, Signs<N>& sign, V&& visit) {
   if constexpr (degree == 2)
     if (which != Which::linear)
       return visit(QuadraticRoot<N>{field, sign(field.c[2]), which, sign}, guess_of(field, which));
@@ -134,18 +134,28 @@ auto with_root(const Polynomial<N, degree>& field, Which which, Signs<N>& sign, 
                guess_of(linear, which));
 }
 
+/// The same with the root of a patch that an outline lists.
+template <class S, class N, class P, class V>
+auto with_root(const P& patch, const Outlined& root, Signs<N>& sign, V&& visit) {
+  if constexpr (caps<S> != 0)
+    if (root.patch != 0)
+      return with_root_of(cap_field(patch, cap_of(root)), root.which, sign, visit);
+  return with_root_of(patch.field, root.which, sign, visit);
+}
+
 /// The answer to a valid case.
 template <class N, template <class> class S, class T>
-Answer answer_in(const Ray<double>& ray, const S<double>& shape, int t_exponent, const T& t_of) {
+Answer answer_in(const Ray<double>& ray, const S<double>& shape, Extent extent, int t_exponent,
+                 const T& t_of) {
   const auto patch = along_ray<N>(ray, shape);
   Signs<N> sign;
-  const Outline outline = settle<apex_side<S<double>>, N>(patch, Range<N>(ray), sign, false);
+  const Outline outline = settle<S<double>, N>(patch, Range<N>(ray), sign, extent, false);
   const Outlined* hit = outline.proper_hit();
   if (hit == nullptr) return Answer::miss();
   const auto t = [&](const auto& root, double guess) {
     return t_of(root, std::ldexp(guess, t_exponent), power_of_two<N>(t_exponent));
   };
-  return Answer::hit(real(with_root(patch.field, hit->which, sign, t)));
+  return Answer::hit(real(with_root<S<double>>(patch, *hit, sign, t)));
 }
 
 /// Answers every case in N by signs, t by one of the ways above.
@@ -153,7 +163,9 @@ template <class N, class T>
 void answer_by_signs(std::span<const Case> cases, std::span<Answer> answers, const T& t_of) {
   answer_each(cases, answers, [&](const Case& question, int t_exponent) {
     return std::visit(
-        [&](const auto& shape) { return answer_in<N>(question.ray, shape, t_exponent, t_of); },
+        [&](const auto& shape) {
+          return answer_in<N>(question.ray, shape, question.extent, t_exponent, t_of);
+        },
         question.shape);
   });
 }

@@ -44,6 +44,13 @@ N root(const Polynomial<N, degree>& field, Which which) {
   return -field.c[0] / field.c[1];
 }
 
+template <class S, class N, class P>
+N root(const P& patch, const Outlined& listed) {
+  if constexpr (caps<S> != 0)
+    if (listed.patch != 0) return root(cap_field(patch, cap_of(listed)), listed.which);
+  return root(patch.field, listed.which);
+}
+
 /// What a number says of a case: nothing sure, a miss, or a hit at t.
 template <class N>
 struct Said {
@@ -52,14 +59,14 @@ struct Said {
 };
 
 template <class N, template <class> class S>
-Said<N> said(const Ray<double>& ray, const S<double>& shape) {
+Said<N> said(const Ray<double>& ray, const S<double>& shape, Extent extent) {
   const auto patch = along_ray<N>(ray, shape);
   Signs<N> sign;
-  const Outline outline = settle<apex_side<S<double>>, N>(patch, Range<N>(ray), sign, false);
+  const Outline outline = settle<S<double>, N>(patch, Range<N>(ray), sign, extent, false);
   if (outline.unsure) return {.unsure = true};
   const Outlined* hit = outline.proper_hit();
   if (hit == nullptr) return {};
-  return {.hit = true, .t = root(patch.field, hit->which)};
+  return {.hit = true, .t = root<S<double>, N>(patch, *hit)};
 }
 
 /// Alone under upward rounding, as the first stage of truth is: nothing in here but intervals, and
@@ -68,8 +75,9 @@ Said<N> said(const Ray<double>& ray, const S<double>& shape) {
                                            std::span<Said<Interval>> all) {
   const Interval::Protector upward;
   for (std::size_t i = 0; i < cases.size(); ++i)
-    with_shape(cases[i]->shape,
-               [&](const auto& shape) { all[i] = said<Interval>(cases[i]->ray, shape); });
+    with_shape(cases[i]->shape, [&](const auto& shape) {
+      all[i] = said<Interval>(cases[i]->ray, shape, cases[i]->extent);
+    });
 }
 
 /// Is every sign sure, and t known to 2^-8 of itself? Infinite ends compare false.
@@ -86,9 +94,11 @@ Answer answer(bool hit, double t, int t_exponent, std::uint8_t stage) {
 }
 
 Answer guess(const Case& question, int t_exponent) {
-  const auto guessed = [&](const auto& shape) { return said<double>(question.ray, shape); };
+  const auto guessed = [&](const auto& shape) {
+    return said<double>(question.ray, shape, question.extent);
+  };
   const Said<double> said = std::visit(guessed, question.shape);
-  return answer(said.hit, said.t, t_exponent, 2);
+  return answer(said.hit && !std::isnan(said.t), said.t, t_exponent, 2);
 }
 
 void answer_block(std::span<const Case> cases, std::span<Answer> answers) {

@@ -8,10 +8,16 @@
 namespace rayaudit::oracle {
 namespace {
 
+/// As subjects count their stages, from 1: lanes, intervals, exact numbers.
+std::uint8_t counted(Stage stage) {
+  if (stage == Stage::exact) return 3;
+  return stage == Stage::interval ? 2 : 1;
+}
+
 Answer answer(const Case& question, const Truth& truth) {
   const Crossing* hit = truth.hit();
   Answer said = hit ? Answer::hit(real(rounded<double>(question, *hit))) : Answer::miss();
-  if (truth.invalid == Invalid::no) said.stage = truth.stage == Stage::interval ? 1 : 2;
+  if (truth.invalid == Invalid::no) said.stage = counted(truth.stage);
   return said;
 }
 

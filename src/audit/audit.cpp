@@ -4,6 +4,7 @@
 #include <atomic>
 #include <mutex>
 
+#include "audit/beyond_rounding.hpp"
 #include "audit/minimise.hpp"
 #include "audit/on_threads.hpp"
 
@@ -33,10 +34,9 @@ struct Group {
 
 /// Of a convention only what changes the cases.
 Convention asking(const Convention& convention) {
-  Convention asked;
-  asked.unit_direction = convention.unit_direction;
-  asked.line = convention.line;
-  asked.t_min = convention.t_min, asked.t_max = convention.t_max;
+  Convention asked = convention;
+  asked.stances = {};
+  asked.inside = Convention::Inside::hit;
   return asked;
 }
 
@@ -169,7 +169,10 @@ void judge_answers(const Plan& plan, std::span<Settled> settled, std::span<const
     const bool wrong = is_wrong(judgement.verdict);
     const double margin = wrong || i < close ? part.margins.of(settled[i]) : Judgement::unmeasured;
     if (i < close) part.tally.curve.add(margin, wrong);
-    part.tally.add(settled[i], answers[i], judgement, first + i, margin);
+    const bool beyond_rounding = wrong && plan.beside_textbook &&
+                                 is_beyond_rounding(settled[i], answers[i], judgement, margin,
+                                                    part.audit.subject->format, part.convention);
+    part.tally.add(settled[i], answers[i], judgement, first + i, margin, beyond_rounding);
     if (plan.causes && part.is_suspect(answers[i], judgement))
       part.suspects.push_back({first + i, answers[i], judgement});
   }

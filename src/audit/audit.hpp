@@ -37,6 +37,9 @@ struct Plan {
   /// Look for the causes of wrong answers, and prove right ones? Else only verdicts, errors and
   /// margins are wanted.
   bool causes = true;
+  /// Is each wrong answer held beside the textbook's in the same format, to tell what rounding does
+  /// not excuse (beyond_rounding.hpp)? Of that the minimal cases are then looked for.
+  bool beside_textbook = false;
   int threads = 0;  ///< 0: one for each processor
   /// The replay of a subject by its name, null where it has none.
   std::function<const replay::Replay*(std::string_view)> replay_of = replay::replay_of;

@@ -26,6 +26,7 @@ std::optional<std::uint64_t> drawn(const Plan& plan, const Audit& audit) {
     each_number(question, [&](double number) { digest.add(number); });
     digest.add(question.ray.t_min);
     digest.add(question.ray.t_max);
+    if (question.extent != Extent::bounded) digest.add(static_cast<double>(question.extent));
   }
   return digest.value();
 }

@@ -48,6 +48,12 @@ Real gap(const Real& t, const Crossing& crossing) { return gap(t, exact_t(t, cro
 
 /// x / y for y != 0, where neither need be in the range of double.
 double ratio(const Real& x, const Real& y) {
+  const auto is_plain = [](const Real& a) {  // high says all of it that a double can
+    const double size = std::fabs(a.high);
+    return a.low == 0 && a.high + a.middle == a.high && size > 0x1p-400 && size < 0x1p400;
+  };
+  if (x.exponent == y.exponent && is_plain(x) && is_plain(y))
+    return std::fabs(x.high) / std::fabs(y.high);
   const int e = binade(y);
   return scaled(x, e) / scaled(y, e);
 }
@@ -119,10 +125,10 @@ void measure_point(Judgement& judgement, Settled& settled, const Answer& answer,
   Real largest = absolute(point.x);
   for (const Real& coordinate : {absolute(point.y), absolute(point.z)})
     if (compare(largest, coordinate) < 0) largest = coordinate;
-  const oracle::Position position = oracle::position(question.shape, point);
+  const Crossing& crossing = settled.truth().crossings()[judgement.crossing];
+  const oracle::Position position = oracle::position(question.shape, point, crossing.patch);
   if (!is_nan(position.distance))
     judgement.distance = scaled(position.distance, spacing_exponent(largest, format));
-  const Crossing& crossing = settled.truth().crossings()[judgement.crossing];
   if (crossing.kind == Kind::within) return;
   const int before = settled.sensitivity(judgement.crossing).sign_before;
   judgement.side = position.sign_of_field == 0        ? Side::on
@@ -420,6 +426,7 @@ Judgement judge(Settled& settled, const Answer& answer, const Format& format,
     return {.verdict = miss ? Verdict::invalid_handled : Verdict::invalid_mishandled,
             .claim = claim_of_none(answer)};
   if (!answer.is_given()) return judge_none(answer);
+  if (convention.inside == Convention::Inside::any && comes_from_inside(settled)) return {};
   if (convention.inside == Convention::Inside::start && comes_from_inside(settled))
     return judge_start(settled, answer, format);
   const Choices choices(settled, convention);

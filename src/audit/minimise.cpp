@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "audit/beyond_rounding.hpp"
 #include "audit/finding.hpp"
+#include "audit/library_finding.hpp"
 #include "audit/on_threads.hpp"
 #include "audit/simpler.hpp"
 
@@ -117,6 +119,9 @@ class Failure {
     if (!has_verdict(judgement)) return {};
     const double margin = std::ldexp(settled.reach(), subject_.format.precision);
     if (margin < least_margin_) return {};
+    if (found_.beyond_rounding &&
+        !is_beyond_rounding(settled, answer, judgement, margin, subject_.format, convention_))
+      return {};
     Minimal made = {settled.question(), answer, judgement, found_.diagnosis, margin};
     if (found_.diagnosis.cause != Cause::unknown) {
       made.diagnosis = diagnosis({settled, answer, judgement, {}}, subject_, replay_, convention_);
@@ -171,10 +176,14 @@ void minimise(const Plan& plan, std::vector<Audit>& audits) {
     Worst* worst;
   };
   std::vector<Example> examples;
-  for (const Finding& finding : findings(audits)) {
+  const auto add = [&](const auto& finding) {
     Audit& audit = audits[finding.audit - audits.data()];
     examples.push_back({&audit, &*audit.tally.outcome(finding.verdict, finding.claim).worst});
-  }
+  };
+  if (plan.beside_textbook)
+    for (const LibraryFinding& finding : library_findings(audits)) add(finding);
+  else
+    for (const Finding& finding : findings(audits)) add(finding);
   // A subject whose process ends too often is asked no more: what does that comes last.
   std::stable_partition(examples.begin(), examples.end(), [](const Example& each) {
     return each.worst->answer.form != Answer::Form::crashed;

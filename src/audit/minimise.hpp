@@ -28,7 +28,8 @@ inline constexpr double telling_margin = 0x1p10;
 /// repeat or that never came.
 std::optional<Minimal> minimal(const Plan& plan, const Audit& audit, const Worst& worst);
 
-/// Gives every example of a finding its minimal case.
+/// Gives every example of a finding its minimal case; of a run that is held beside the textbook, of
+/// what rounding does not excuse.
 void minimise(const Plan& plan, std::vector<Audit>& audits);
 
 }  // namespace rayaudit

@@ -36,8 +36,8 @@ auto parts(T& of) {
 }
 template <Plain<Case> T>
 auto parts(T& of) {
-  auto& [ray, shape] = of;
-  return std::tie(ray, shape);
+  auto& [ray, shape, extent] = of;
+  return std::tie(ray, shape, extent);
 }
 template <Plain<Answer> T>
 auto parts(T& of) {
@@ -70,8 +70,10 @@ auto parts(T& of) {
 }
 template <Plain<Worst> T>
 auto parts(T& of) {
-  auto& [severity, place, question, answer, judgement, diagnosis, repeats, minimal] = of;
-  return std::tie(severity, place, question, answer, judgement, diagnosis, repeats, minimal);
+  auto& [severity, place, question, answer, judgement, diagnosis, repeats, beyond_rounding,
+         minimal] = of;
+  return std::tie(severity, place, question, answer, judgement, diagnosis, repeats, beyond_rounding,
+                  minimal);
 }
 template <Plain<CauseCount::Turned> T>
 auto parts(T& of) {
@@ -90,8 +92,8 @@ auto parts(T& of) {
 }
 template <Plain<Outcome> T>
 auto parts(T& of) {
-  auto& [verdict, claim, count, worst, causes] = of;
-  return std::tie(verdict, claim, count, worst, causes);
+  auto& [verdict, claim, count, worst, causes, beyond_rounding] = of;
+  return std::tie(verdict, claim, count, worst, causes, beyond_rounding);
 }
 template <Plain<TouchCount> T>
 auto parts(T& of) {
@@ -110,17 +112,18 @@ auto parts(T& of) {
 }
 template <Plain<Tally> T>
 auto parts(T& of) {
-  auto& [cases, verdicts, outcomes, sides, touches, by_interval, by_exact, bare, unasked, ulps,
-         forced, own, distance, condition, proper_own, worst_ulps, worst_forced, worst_own, curve,
-         certificate, stages] = of;
-  return std::tie(cases, verdicts, outcomes, sides, touches, by_interval, by_exact, bare, unasked,
-                  ulps, forced, own, distance, condition, proper_own, worst_ulps, worst_forced,
-                  worst_own, curve, certificate, stages);
+  auto& [cases, verdicts, outcomes, sides, touches, decided_by, bare, unasked, ulps, forced, own,
+         distance, condition, proper_own, worst_ulps, worst_forced, worst_own, curve, certificate,
+         stages] = of;
+  return std::tie(cases, verdicts, outcomes, sides, touches, decided_by, bare, unasked, ulps,
+                  forced, own, distance, condition, proper_own, worst_ulps, worst_forced, worst_own,
+                  curve, certificate, stages);
 }
 template <Plain<Convention> T>
 auto parts(T& of) {
-  auto& [stances, inside, unit_direction, line, t_min, t_max] = of;
-  return std::tie(stances, inside, unit_direction, line, t_min, t_max);
+  auto& [stances, inside, unit_direction, line, extent, stand, opening, segment, t_min, t_max] = of;
+  return std::tie(stances, inside, unit_direction, line, extent, stand, opening, segment, t_min,
+                  t_max);
 }
 template <Plain<Environment> T>
 auto parts(T& of) {

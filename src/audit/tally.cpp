@@ -16,10 +16,14 @@ double severity(const Judgement& judgement, double margin) {
 
 /// Builds the Worst only where it will be kept.
 void note(std::optional<Worst>& kept, double severity, std::uint64_t place, const Settled& settled,
-          const Answer& answer, const Judgement& judgement) {
-  if (kept && !(severity > kept->severity || (severity == kept->severity && place < kept->place)))
+          const Answer& answer, const Judgement& judgement, bool beyond_rounding = false) {
+  if (kept &&
+      (kept->beyond_rounding != beyond_rounding
+           ? kept->beyond_rounding
+           : !(severity > kept->severity || (severity == kept->severity && place < kept->place))))
     return;
   kept = Worst{severity, place, settled.question(), answer, judgement, {}};
+  kept->beyond_rounding = beyond_rounding;
 }
 
 /// Adds to the count of an element, in its place among the others.
@@ -124,7 +128,7 @@ std::uint64_t Tally::wrong() const {
 }
 
 void Tally::add(const Settled& settled, const Answer& answer, const Judgement& judgement,
-                std::uint64_t place, double margin) {
+                std::uint64_t place, double margin, bool beyond_rounding) {
   ++cases;
   ++verdicts[static_cast<std::size_t>(judgement.verdict)];
   if (judgement.side != Side::unknown) ++sides[static_cast<std::size_t>(judgement.side)];
@@ -133,7 +137,7 @@ void Tally::add(const Settled& settled, const Answer& answer, const Judgement& j
     ++(judgement.taken ? seen.taken : seen.passed);
   }
   if (settled.truth().invalid == oracle::Invalid::no)
-    ++(settled.truth().stage == oracle::Stage::interval ? by_interval : by_exact);
+    ++decided_by[static_cast<std::size_t>(settled.truth().stage)];
   bare += answer.form == Answer::Form::yes;
   if (judgement.verdict != Verdict::touch) proper_own = std::fmax(proper_own, judgement.own);
   ulps.add(judgement.ulps);
@@ -143,7 +147,8 @@ void Tally::add(const Settled& settled, const Answer& answer, const Judgement& j
   condition.add(judgement.condition);
   Outcome& here = outcome(judgement.verdict, judgement.claim);
   ++here.count;
-  note(here.worst, severity(judgement, margin), place, settled, answer, judgement);
+  here.beyond_rounding += beyond_rounding;
+  note(here.worst, severity(judgement, margin), place, settled, answer, judgement, beyond_rounding);
   if (!std::isnan(judgement.ulps))
     note(worst_ulps, judgement.ulps, place, settled, answer, judgement);
   if (!std::isnan(judgement.forced))
@@ -163,8 +168,7 @@ void Tally::merge(const Tally& other) {
     touches[i].taken += other.touches[i].taken;
     touches[i].passed += other.touches[i].passed;
   }
-  by_interval += other.by_interval;
-  by_exact += other.by_exact;
+  add_all(decided_by, other.decided_by);
   bare += other.bare;
   unasked += other.unasked;
   proper_own = std::fmax(proper_own, other.proper_own);
@@ -176,6 +180,7 @@ void Tally::merge(const Tally& other) {
   for (const Outcome& theirs : other.outcomes) {
     Outcome& ours = outcome(theirs.verdict, theirs.claim);
     ours.count += theirs.count;
+    ours.beyond_rounding += theirs.beyond_rounding;
     if (theirs.worst) keep_worse(ours.worst, *theirs.worst);
     ours.causes.merge(theirs.causes);
   }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -53,7 +54,8 @@ struct Outcome {
   Claim claim;
   std::uint64_t count = 0;
   std::optional<Worst> worst = {};
-  CauseCount causes = {};  ///< of the share that was replayed
+  CauseCount causes = {};             ///< of the share that was replayed
+  std::uint64_t beyond_rounding = 0;  ///< those of them that a run found rounding not to excuse
 };
 
 /// How many of the cases each cause is likely to account for, by those that were replayed; by the
@@ -73,8 +75,8 @@ struct Tally {
   std::array<std::uint64_t, verdict_count> verdicts = {};
   std::vector<Outcome> outcomes = {};  ///< those that occurred, by verdict, then claim
   std::array<std::uint64_t, side_count> sides = {};
-  std::array<TouchCount, 7> touches = {};  ///< by oracle::Kind
-  std::uint64_t by_interval = 0, by_exact = 0;
+  std::array<TouchCount, 7> touches = {};                          ///< by oracle::Kind
+  std::array<std::uint64_t, oracle::stage_count> decided_by = {};  ///< by oracle::Stage
   std::uint64_t bare = 0;  ///< answers that say yes and not where
   /// Cases that were not put to a subject, for it had crashed or timed out too often; not in cases.
   std::uint64_t unasked = 0;
@@ -88,6 +90,13 @@ struct Tally {
 
   std::uint64_t of(Verdict verdict) const { return verdicts[static_cast<std::size_t>(verdict)]; }
   std::uint64_t of(Claim claim) const;
+  std::uint64_t of(oracle::Stage stage) const {
+    return decided_by[static_cast<std::size_t>(stage)];
+  }
+  /// The cases whose truth is known: all but the invalid ones.
+  std::uint64_t decided() const {
+    return std::accumulate(decided_by.begin(), decided_by.end(), std::uint64_t{0});
+  }
   /// The worst case of a verdict, or null where there is none.
   const Worst* worst(Verdict verdict) const;
   /// The wrong case with the largest margin, invalid cases aside, or null where there is none.
@@ -101,7 +110,7 @@ struct Tally {
   Outcome& outcome(Verdict verdict, Claim claim);
   /// Adds a judged answer to a case of a margin in u, NaN where it is not known.
   void add(const Settled& settled, const Answer& answer, const Judgement& judgement,
-           std::uint64_t place, double margin);
+           std::uint64_t place, double margin, bool beyond_rounding = false);
   void merge(const Tally& other);
 };
 

@@ -303,6 +303,14 @@ std::optional<Changed> elsewhere_in_range(const Case& question, const Format& fo
   return scaled_by(question, by, 0, format);
 }
 
+/// The same world, with a shape of size 1: other powers of two, and nothing else.
+std::optional<Changed> of_size_one(const Case& question, const Format& format) {
+  if (!every_number(question, is_moderate)) return {};
+  const int e = -exponent_of(question.shape);
+  const std::optional<Changed> made = scaled_by(question, e, e, format);
+  return made ? held(made->question, format) : std::nullopt;
+}
+
 /// Neither a product nor t then overflows, underflows or is lost beside an epsilon.
 constexpr std::string_view moderate_numbers = "numbers of moderate size";
 constexpr std::string_view other_roundings = "how it is rounded";
@@ -310,15 +318,16 @@ constexpr std::string_view other_roundings = "how it is rounded";
 /// Tried in this order: what comes first is told.
 using Shows = Transformation::Shows;
 constexpr std::array list = {
-    Transformation{"the length of the direction", longer_direction, Shows::to_the_bit},
+    Transformation{length_of_direction, longer_direction, Shows::to_the_bit},
     Transformation{"the length of the normal", longer_normal, Shows::to_the_bit},
     Transformation{"the unit of length", larger, Shows::to_the_bit},
+    Transformation{"the unit of length", of_size_one, Shows::to_the_bit},
     Transformation{moderate_numbers, of_moderate_size<true, false>, Shows::by_mending},
     Transformation{moderate_numbers, of_moderate_size<false, true>, Shows::by_mending},
     Transformation{moderate_numbers, of_moderate_size<true, true>, Shows::by_mending},
     Transformation{moderate_numbers, elsewhere_in_range<40>, Shows::by_mending},
     Transformation{moderate_numbers, elsewhere_in_range<-40>, Shows::by_mending},
-    Transformation{"the length of the direction", unit_direction, Shows::only_afar},
+    Transformation{length_of_direction, unit_direction, Shows::only_afar},
     Transformation{"", unit_and_longer<unit_direction, longer_direction>, Shows::control},
     Transformation{"the length of the normal", unit_normal, Shows::only_afar},
     Transformation{"", unit_and_longer<unit_normal, longer_normal>, Shows::control},
@@ -345,16 +354,17 @@ bool differ(const Answer& answer, const Answer& other, int t_exponent) {
 }
 
 /// Is it a case that the subject is asked: within the range that it answers in, with a direction of
-/// the length that it is given?
-bool is_asked(const Case& other, const Case& question, const Convention& convention) {
+/// the length that it is given, a shape that stands as it takes it?
+bool is_asked(const Case& other, const Case& question, const Convention& convention,
+              const Format& drawn_in) {
   const auto longest = [](const Vec3<double>& v) {
     return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
   };
   if (convention.unit_direction && longest(other.ray.direction) != longest(question.ray.direction))
     return false;
-  Convention range;
-  range.line = convention.line, range.t_min = convention.t_min, range.t_max = convention.t_max;
-  return posed(other, range, double_format) == other;
+  Convention rest = convention;
+  rest.unit_direction = false;
+  return posed(other, rest, drawn_in) == other;
 }
 
 /// Are the crossings of two truths of the same kinds?
@@ -387,7 +397,7 @@ class Trials {
     const Case& question = wrong.settled.question();
     for (const Transformation& each : list) {
       const std::optional<Changed> other = each.change(question, subject.format);
-      if (!other || !is_asked(other->question, question, convention)) continue;
+      if (!other || !is_asked(other->question, question, convention, subject.drawn_in())) continue;
       const oracle::Truth truth = oracle::truth(other->question, oracle::bits_for(subject.format));
       if (!are_alike(truth, wrong.settled.truth())) continue;
       cases_.push_back(other->question);

@@ -37,6 +37,9 @@ struct Transformation {
   Shows shows;
 };
 
+/// What hangs on the length of a direction that may be of any is told to be.
+inline constexpr std::string_view length_of_direction = "the length of the direction";
+
 /// Every one there is.
 std::span<const Transformation> transformations();
 

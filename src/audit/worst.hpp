@@ -28,6 +28,8 @@ struct Worst {
   Diagnosis diagnosis = {};  ///< of wrong answers, found at the end of a run
   /// Of a subject elsewhere: was the answer as wrong when the case was asked again, alone?
   bool repeats = true;
+  /// Of a run that looks for that: does rounding not excuse it (beyond_rounding.hpp)?
+  bool beyond_rounding = false;
   /// Of the example of a finding, at the end of a run that looks for causes.
   std::optional<Minimal> minimal = {};
 };
@@ -42,7 +44,9 @@ inline Worst told_first(Worst worst) {
   return worst;
 }
 
+/// What rounding does not excuse is worse than what it may.
 inline bool is_worse(const Worst& a, const Worst& b) {
+  if (a.beyond_rounding != b.beyond_rounding) return a.beyond_rounding;
   return a.severity != b.severity ? a.severity > b.severity : a.place < b.place;
 }
 

@@ -119,13 +119,13 @@ std::string write_observed(const AuditEnd& end, const Run& run) {
 }
 
 /// What is asked for: the table where there is nothing else for standard output.
-std::vector<ReportOrder> orders_of(const AuditEnd& end) {
+std::vector<ReportOrder> orders_of(const AuditEnd& end, const Plan& plan) {
   for (const std::string& report : end.reports)
     if (report == "shard" || report.starts_with("shard="))
       throw Error("--report shard=FILE goes with `rayaudit audit --shard i/n`");
   if (!end.reports.empty()) return orders_of(end.reports, reports());
   if (end.written_bounds == "-") return {};
-  return orders_of({"table"}, reports());
+  return orders_of({plan.beside_textbook ? "libraries" : "table"}, reports());
 }
 
 /// Where the observed bounds go, as the places of reports are told, if anywhere.
@@ -201,7 +201,7 @@ const std::vector<std::string>& audit_end_options() {
 }
 
 ReadyEnd ready(const AuditEnd& end, const Plan& plan) {
-  const std::vector<ReportOrder> orders = orders_of(end);
+  const std::vector<ReportOrder> orders = orders_of(end, plan);
   const std::optional<std::string> observed_to = place_of_observed(end);
   std::vector<std::string> files;
   files.reserve(orders.size() + 1);

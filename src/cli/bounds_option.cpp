@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <sstream>
 
 #include "cli/exit_code.hpp"
 #include "cli/lines.hpp"
+#include "geometry/error.hpp"
 #include "reports/explain_line.hpp"
 #include "reports/figures.hpp"
 #include "reports/promise.hpp"
@@ -19,6 +21,22 @@ std::string text_of(LineFile& file) {
   for (auto pieces = file.next(); !pieces.empty(); pieces = file.next())
     for (const Piece& piece : pieces) text += piece.text;
   return text;
+}
+
+/// Loads the libraries that the rows of a file of bounds name.
+void load_libraries(const std::string& text, const std::string& file, Subjects& subjects) {
+  std::istringstream lines(text);
+  std::size_t number = 1;
+  for (std::string line; std::getline(lines, line); ++number) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::string pattern;
+    if (!(words >> pattern)) continue;
+    try {
+      subjects.load(pattern);
+    } catch (const Error& why) {
+      throw Error(fmt::format("{}:{}: {}", file, number, why.what()));
+    }
+  }
 }
 
 /// Every audit there is of these subjects.
@@ -47,15 +65,16 @@ std::string seen(const Broken& broken) {
 
 }  // namespace
 
-std::vector<Bound> read_bounds_file(const std::string& path,
-                                    const std::vector<const Subject*>& subjects) {
+std::vector<Bound> read_bounds_file(const std::string& path, Subjects& subjects) {
   LineFile file(path);
+  const std::string text = text_of(file);
+  load_libraries(text, file.name(), subjects);
   std::vector<std::string_view> names;
-  names.reserve(subjects.size());
-  for (const Subject* subject : subjects) names.push_back(subject->name);
-  std::vector<Bound> bounds = read_bounds(text_of(file), file.name(), names);
+  names.reserve(subjects.all().size());
+  for (const Subject* subject : subjects.all()) names.push_back(subject->name);
+  std::vector<Bound> bounds = read_bounds(text, file.name(), names);
   if (bounds.empty()) throw NothingAudited(file.name() + " has no row: nobody is held to anything");
-  const std::vector<Audit> audits = every_audit(subjects);
+  const std::vector<Audit> audits = every_audit(subjects.all());
   for (const Bound& bound : bounds)
     if (std::none_of(audits.begin(), audits.end(),
                      [&](const Audit& audit) { return bound.is_about(audit); }))

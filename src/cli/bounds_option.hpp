@@ -5,13 +5,14 @@
 
 #include "audit/audit.hpp"
 #include "audit/ladder.hpp"
+#include "cli/selection.hpp"
 
 namespace rayaudit {
 
-/// Reads the bounds of a file, or of standard input for `-`. Throws Error where it cannot be read,
-/// NothingAudited where it holds nobody to anything, or a row of it names no audit there is.
-std::vector<Bound> read_bounds_file(const std::string& path,
-                                    const std::vector<const Subject*>& subjects);
+/// Reads the bounds of a file, or of standard input for `-`; loads the libraries whose subjects
+/// rows name. Throws Error where it cannot be read, NothingAudited where it holds nobody to
+/// anything, or a row of it names no audit there is.
+std::vector<Bound> read_bounds_file(const std::string& path, Subjects& subjects);
 
 /// The bound as it stands in a file.
 std::string row(const Bound& bound);

@@ -25,9 +25,9 @@ std::string shown(const Vec3<N>& v, std::string (*show)(const N&)) {
 std::string shown(const double& x) { return fmt::format("{}", x); }
 std::string shown(const Vec3<double>& v) { return shown<double>(v, shown); }
 
-std::string shape_text(const Shape& any) {
+std::string shape_text(const Shape& any, Extent extent) {
   return std::visit(
-      [](const auto& shape) {
+      [&](const auto& shape) {
         std::string text;
         std::size_t i = 0;
         const auto add = [&](const auto& part) {
@@ -35,6 +35,7 @@ std::string shape_text(const Shape& any) {
           ++i;
         };
         std::apply([&](const auto&... part) { (add(part), ...); }, shape.parts());
+        if (extent != Extent::bounded) (text += "  ") += word(extent);
         return row(shape.name, text);
       },
       any);
@@ -134,18 +135,23 @@ std::string shown(const Real& x, const Format& format) {
 }
 
 std::string question_text(const Case& question) {
-  return shape_text(question.shape) + ray_text(question.ray);
+  return shape_text(question.shape, question.extent) + ray_text(question.ray);
+}
+
+std::string_view words_of(oracle::Stage stage) {
+  constexpr std::array<std::string_view, oracle::stage_count> words = {
+      "numbers of two words", "numbers of three words", "intervals", "exact numbers"};
+  return words[static_cast<std::size_t>(stage)];
 }
 
 std::string truth_text(const Case& question, const Truth& truth) {
   if (truth.invalid != oracle::Invalid::no)
     return row("truth", fmt::format("none, the case is invalid: {}", reason(truth.invalid)));
-  const bool by_interval = truth.stage == oracle::Stage::interval;
   std::string text =
       row("truth",
           fmt::format("{}{} (decided by {})", truth.hit() ? "a hit" : "a miss",
                       truth.has_touch() ? ", or the touch before it, as convention has it" : "",
-                      by_interval ? "intervals" : "exact numbers"));
+                      words_of(truth.stage)));
   for (const Crossing& crossing : truth.crossings()) text += crossing_text(question, crossing);
   text += margin_text(question, truth);
   std::string others;

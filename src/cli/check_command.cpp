@@ -82,6 +82,7 @@ class Checked {
     for (const Kept* each : kept_) {
       const Case held = rounded(each->question, subject.drawn_in());
       cases_.push_back(asked(each->question, convention_, subject.drawn_in()));
+      if (!is_other(cases_.back(), each->question)) continue;
       rounded_ += is_other(held, each->question), posed_ += is_other(cases_.back(), held);
     }
     answers_.resize(cases_.size());

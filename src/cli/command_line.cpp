@@ -4,6 +4,7 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
+#include "cli/ranks.hpp"
 #include "geometry/error.hpp"
 #include "geometry/quotation.hpp"
 #include "geometry/unknown_name.hpp"
@@ -59,9 +60,16 @@ std::string sentence(const CLI::App& program, const CLI::ParseError& fault) {
 
 Command printing(std::string text) {
   return [text = std::move(text)] {
-    print(text);
+    if (is_first_rank()) print(text);
     return all_held;
   };
+}
+
+/// Only an audit is spread over the processes that mpirun starts.
+void require_one_process(const CLI::App& command) {
+  if (ranks_started() > 1 && command.get_name() != "audit")
+    throw Error("mpirun is for `rayaudit audit`: start `rayaudit " + command.get_name() +
+                "` without it");
 }
 
 void describe(CLI::App& program) {
@@ -108,6 +116,7 @@ Command read_command_line(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& fault) {
     throw Error(sentence(program, fault));
   }
+  require_one_process(asked_of(program));
   return asked;
 }
 

@@ -23,18 +23,36 @@ double number(std::string_view name, std::string_view text) {
   return x;
 }
 
+/// Half, line or segment; both of these are the line through two points.
+void read_ray(std::uint8_t word, Convention& convention) {
+  convention.line = word == 1 || (word == 2 && convention.line);
+  convention.segment = word == 2 || (word == 1 && convention.segment);
+}
+
 /// Reads what is no stance towards a touch; false where it is none of these.
 bool read_contract(std::string_view name, std::string_view value, Convention& convention) {
-  static constexpr std::array<std::string_view, 3> insides = {"hit", "miss", "start"};
+  static constexpr std::array<std::string_view, 4> insides = {"hit", "miss", "start", "any"};
   static constexpr std::array<std::string_view, 2> directions = {"any", "unit"};
-  static constexpr std::array<std::string_view, 2> rays = {"half", "line"};
+  static constexpr std::array<std::string_view, 3> rays = {"half", "line", "segment"};
+  static constexpr std::array<std::string_view, 3> extents = {"bounded", "unbounded",
+                                                              "both_nappes"};
+  static constexpr std::array<std::string_view, 3> stands = {"anywhere", "upright_y", "upright_z"};
+  static constexpr std::array<std::string_view, 3> openings = {"radius", "angle", "cosine"};
+  const auto word = [&](std::string_view what, const auto& words) {
+    return static_cast<std::uint8_t>(place_of(what, value, words));
+  };
   if (name == "inside")
-    convention.inside =
-        Convention::Inside{static_cast<std::uint8_t>(place_of("word for inside", value, insides))};
+    convention.inside = Convention::Inside{word("word for inside", insides)};
   else if (name == "direction")
-    convention.unit_direction = place_of("kind of direction", value, directions) == 1;
+    convention.unit_direction = word("kind of direction", directions) == 1;
   else if (name == "ray")
-    convention.line = place_of("kind of ray", value, rays) == 1;
+    read_ray(word("kind of ray", rays), convention);
+  else if (name == "extent")
+    convention.extent = Extent{word("extent", extents)};
+  else if (name == "stand")
+    convention.stand = Convention::Stand{word("stand", stands)};
+  else if (name == "opening")
+    convention.opening = Convention::Opening{word("opening", openings)};
   else if (name == "t_min")
     convention.t_min = number(name, value);
   else if (name == "t_max")
@@ -64,7 +82,11 @@ Convention read_convention(std::string_view text) {
     convention.stances[kind] =
         Stance{static_cast<std::uint8_t>(place_of("stance", piece.substr(equals + 1), stances))};
   }
-  if (!has_range(convention)) throw Error("--convention has " + empty_range(convention));
+  // Of an opening it may be the subject that declares how cones stand.
+  Convention alone = convention;
+  alone.opening = Convention::Opening::radius;
+  if (const std::string wrong = contradiction(alone); !wrong.empty())
+    throw Error("--convention has " + wrong);
   return convention;
 }
 

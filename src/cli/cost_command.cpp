@@ -107,7 +107,8 @@ void add_cost_command(CLI::App& program, Command& asked) {
   command->add_flag("--each-family", options->look.families, "each family alone too");
   command->footer(
       "Without names, every subject there is takes part, also those that an audit has by name\n"
-      "only. All answer the same cases, dear ones fewer, drawn as floats, in turn, on one "
+      "only; libraries only where they are named, as 'embree/*'. All answer the same cases, dear "
+      "ones fewer, drawn as floats, in turn, on one "
       "processor.\n\n"
       "Examples:\n"
       "  rayaudit cost\n"

@@ -88,6 +88,8 @@ struct Posed {
 Posed posed_for(const Case& line, const Format& format, const Convention& convention) {
   const auto is_other = [](const Case& a, const Case& b) { return case_line(a) != case_line(b); };
   const Case held = rounded(line, format), question = asked(line, convention, format);
+  // Of who takes two points a direction is not rounded, nor a radius of who takes an angle.
+  if (!is_other(question, line)) return {question, ""};
   std::string how = is_other(held, line) ? fmt::format("rounded to {}", format.name) : "";
   if (is_other(question, held))
     how += std::string(how.empty() ? "" : " and ") + "posed as the convention has it";
@@ -198,7 +200,7 @@ std::string pasted(const ExplainOptions& options, const CaseLine& line, const Su
 
 int explain(const ExplainOptions& options) {
   const std::string line = line_of(options.words);
-  const Subjects subjects(options.brought);
+  Subjects subjects(options.brought);
   const Subject* subject = options.subject.empty() ? nullptr : &subjects.named(options.subject);
   const CaseLine read = read_case_line(line);
   if (options.as) {

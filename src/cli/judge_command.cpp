@@ -108,7 +108,7 @@ std::string touch_lines(const Tally& tally) {
 
 std::string worst_lines(const Tally& tally, const Format& format) {
   std::string text;
-  for (const auto& [verdict, claim, count, worst, causes] : tally.outcomes) {
+  for (const auto& [verdict, claim, count, worst, causes, beyond] : tally.outcomes) {
     if (!worst || !is_wrong(verdict)) continue;
     text += fmt::format("\n{}{}, line {}, margin {} u:\n  {}\n", name(verdict),
                         claim == Claim::none ? "" : " (" + std::string(name(claim)) + ")",

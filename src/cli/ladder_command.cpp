@@ -37,13 +37,13 @@ const Family& family_with_difficulty(const std::string& id) {
       fmt::format("family `{}` has no difficulty to rise; those that have: {}", id, others));
 }
 
-LadderPlan plan_of(const LadderOptions& options, const Subjects& subjects) {
+LadderPlan plan_of(const LadderOptions& options, Subjects& subjects) {
   LadderPlan plan = options.plan;
   plan.family = &family_with_difficulty(options.family);
   plan.subjects = subjects.selected(options.subjects);
   plan.shapes = selected("shape", options.shapes, shape_names);
   for (const std::string& file : options.bounds)
-    for (const Bound& bound : read_bounds_file(file, subjects.all())) plan.bounds.push_back(bound);
+    for (const Bound& bound : read_bounds_file(file, subjects)) plan.bounds.push_back(bound);
   return plan;
 }
 
@@ -61,7 +61,7 @@ int told_broken(const LadderPlan& plan, const std::vector<Climb>& climbs) {
 }
 
 int ladder(const LadderOptions& options) {
-  const Subjects subjects(options.subjects);
+  Subjects subjects(options.subjects);
   const LadderPlan plan = plan_of(options, subjects);
   const auto orders = orders_of(options.reports, ladder_reports());
   require_places(orders);

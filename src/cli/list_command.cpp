@@ -9,8 +9,10 @@
 #include "cli/output.hpp"
 #include "cli/selection.hpp"
 #include "families/family.hpp"
+#include "geometry/error.hpp"
 #include "reports/declared.hpp"
 #include "reports/report.hpp"
+#include "subjects/libraries/libraries.hpp"
 #include "subjects/subject.hpp"
 
 namespace rayaudit {
@@ -24,7 +26,7 @@ std::string joined_shapes(const std::vector<std::size_t>& shapes) {
 
 template <std::size_t... I>
 std::string shape_lines(std::index_sequence<I...>) {
-  return (... + fmt::format("{:<10}{}\n", std::variant_alternative_t<I, Shape>::name,
+  return (... + fmt::format("{:<17}{}\n", std::variant_alternative_t<I, Shape>::name,
                             std::variant_alternative_t<I, Shape>::about));
 }
 
@@ -32,19 +34,56 @@ std::string list_shapes(const Subjects&) {
   return shape_lines(std::make_index_sequence<shape_count>{});
 }
 
+/// A row of three columns, of which the last may be empty.
+std::string subject_row(std::string_view name, std::string_view shapes, std::string_view words) {
+  std::string row = fmt::format("{:<36}{:<54}{}", name, shapes, words);
+  return row.erase(row.find_last_not_of(' ') + 1) + '\n';
+}
+
+std::string subject_row(const Subject& subject, std::string_view words) {
+  std::vector<std::size_t> shapes;
+  for (std::size_t shape = 0; shape < shape_count; ++shape)
+    if (subject.answers(shape)) shapes.push_back(shape);
+  return subject_row(subject.name, joined_shapes(shapes), words);
+}
+
+std::string not_here(std::string_view subjects, std::string_view why) {
+  return fmt::format("{:<36}not here: {}\n", subjects, why);
+}
+
 std::string list_subjects(const Subjects& subjects) {
   std::string text;
-  for (const Subject* subject : subjects.all()) {
-    std::vector<std::size_t> shapes;
-    for (std::size_t shape = 0; shape < shape_count; ++shape)
-      if (subject->answers(shape)) shapes.push_back(shape);
-    text += fmt::format("{:<36}{:<29}{}\n", subject->name, joined_shapes(shapes),
+  for (const Subject* subject : subjects.all())
+    text += subject_row(*subject,
                         subject->by_name_only ? "by name only" : declared(subject->convention));
-    text.erase(text.find_last_not_of(" \n") + 1);
-    text += '\n';
+  for (const Library& library : libraries())
+    if (is_here(library))
+      text +=
+          subject_row(library.subjects, "a library, see rayaudit list libraries", "by name only");
+  for (const auto& [names, why] : absent_subjects()) text += not_here(names, why);
+  for (const Library& library : libraries())
+    if (!is_here(library)) text += not_here(library.subjects, why_absent(library));
+  return text;
+}
+
+/// What each of its subjects tells of itself; or, in a sentence, why it does not.
+std::string list_library(const Library& library) {
+  if (!is_here(library)) return not_here(library.subjects, why_absent(library));
+  try {
+    std::string text;
+    for (const Subject& subject : subjects_of(library)) {
+      text += subject_row(subject, declared(subject.convention));
+      if (!subject.about.empty()) text += "  " + subject.about + '\n';
+    }
+    return text;
+  } catch (const Error& why) {
+    return fmt::format("{:<36}{}\n", library.subjects, why.what());
   }
-  for (const auto& [names, why] : absent_subjects())
-    text += fmt::format("{:<36}not here: {}\n", names, why);
+}
+
+std::string list_libraries(const Subjects&) {
+  std::string text;
+  for (const Library& library : libraries()) text += list_library(library);
   return text;
 }
 
@@ -56,7 +95,7 @@ std::string_view name_of(Strength strength) {
 std::string list_families(const Subjects&) {
   std::string text;
   for (const Family& family : families()) {
-    text += fmt::format("{:<15}{:<12}{:<28}{}", family.id, name_of(family.strength),
+    text += fmt::format("{:<15}{:<12}{:<55}{}", family.id, name_of(family.strength),
                         joined_shapes(shapes_of(family)), family.about);
     if (const auto& range = family.difficulty)
       text += fmt::format("; k {} to {} (float {}): {}", range->least, range->most_double,
@@ -75,9 +114,11 @@ std::string list_reports(const Subjects&) {
 struct Listing {
   std::string_view heading;
   std::string (*write)(const Subjects& subjects);
+  bool is_asked_for = false;  ///< is it left out where nothing is asked for?
 };
 
 constexpr std::array listings = {Listing{"shapes", list_shapes}, Listing{"subjects", list_subjects},
+                                 Listing{"libraries", list_libraries, true},
                                  Listing{"families", list_families},
                                  Listing{"reports", list_reports}};
 
@@ -90,6 +131,7 @@ int list(const std::string& heading, const SubjectChoice& choice) {
   }
   std::string text;
   for (const Listing& each : listings) {
+    if (each.is_asked_for) continue;
     if (!text.empty()) text += '\n';
     (text += each.heading) += '\n';
     text += each.write(subjects);
@@ -104,12 +146,15 @@ void add_list_command(CLI::App& program, Command& asked) {
   const auto heading = std::make_shared<std::string>();
   const auto choice = std::make_shared<SubjectChoice>();
   CLI::App* command = program.add_subcommand("list", "List what there is to name");
-  command->add_option("WHAT", *heading, "shapes, subjects, families or reports; else all four")
+  command
+      ->add_option("WHAT", *heading,
+                   "shapes, subjects, families or reports, else all four; or libraries, each of "
+                   "which is loaded to tell of itself")
       ->type_name("");
   add_bringers(*command, *choice, "what it brings is listed first");
   add_program_format(*command, *choice);
   command->footer(
-      "Examples:\n  rayaudit list\n  rayaudit list families\n"
+      "Examples:\n  rayaudit list\n  rayaudit list families\n  rayaudit list libraries\n"
       "  rayaudit list subjects --plugin ./libmine.so\n"
       "  rayaudit list subjects --program 'python3 mine.py' --format float\n");
   command->callback([=, &asked] { asked = [heading, choice] { return list(*heading, *choice); }; });

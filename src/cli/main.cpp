@@ -1,22 +1,26 @@
+#include <chrono>
 #include <csignal>
-#include <exception>
-#include <new>
-#include <string>
+#include <thread>
 
 #include "cli/command.hpp"
 #include "cli/command_line.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/output.hpp"
-#include "geometry/error.hpp"
-#include "oracle/environment.hpp"
+#include "cli/ranks.hpp"
+#include "cli/refusal.hpp"
 #include "oracle/self_check.hpp"
-#include "subjects/subject.hpp"
 
 namespace {
 
-int complained(std::string_view sentence, rayaudit::ExitCode code) {
-  rayaudit::complain(sentence);
-  return code;
+int told(const rayaudit::Refusal& why) {
+  if (why.sentence.empty()) return why.code;
+  if (rayaudit::is_first_rank()) {
+    rayaudit::complain(why.sentence);
+  } else {
+    // What every rank refuses the first one tells, whose end is that of all.
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    rayaudit::complain(rayaudit::told_by_rank(why.sentence));
+  }
+  return why.code;
 }
 
 }  // namespace
@@ -27,19 +31,9 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file at its limit is then an error like any other
   try {
     const Command command = read_command_line(argc, argv);
-    if (const auto flaw = oracle::self_check()) return complained(*flaw, unfit);
+    if (const auto flaw = oracle::self_check()) throw Refusal{unfit, *flaw};
     return command();
-  } catch (const Error& mistake) {
-    return complained(mistake.what(), mistaken);
-  } catch (const NothingAudited& why) {
-    return complained(why.what(), nothing_audited);
-  } catch (const NoAnswer& why) {
-    return complained(why.what(), found);
-  } catch (const oracle::UnfitArithmetic& flaw) {
-    return complained(flaw.what(), unfit);
-  } catch (const std::bad_alloc&) {
-    return complained("there is not enough memory", mistaken);
-  } catch (const std::exception& fault) {
-    return complained(std::string("the system refused: ") + fault.what(), mistaken);
+  } catch (...) {
+    return told(caught_refusal());
   }
 }

@@ -17,7 +17,7 @@ struct MergeOptions {
   AuditEnd end;
 };
 
-ShardSum sum_of(const std::vector<std::string>& files, const Subjects& subjects) {
+ShardSum sum_of(const std::vector<std::string>& files, Subjects& subjects) {
   const auto subject_named = [&](const std::string& name) { return subjects.find(name); };
   ShardSum sum;
   for (const std::string& path : files) {
@@ -29,7 +29,7 @@ ShardSum sum_of(const std::vector<std::string>& files, const Subjects& subjects)
 }
 
 int merge(const MergeOptions& options) {
-  const Subjects subjects(options.subjects);
+  Subjects subjects(options.subjects);
   ShardSum sum = sum_of(options.files, subjects);
   const ReadyEnd end = ready(options.end, sum.plan());
   conclude(sum.plan(), sum.audits());

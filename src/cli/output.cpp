@@ -7,6 +7,7 @@
 #include <cstring>
 #include <string>
 
+#include "cli/ranks.hpp"
 #include "geometry/error.hpp"
 
 namespace rayaudit {
@@ -29,6 +30,7 @@ void complain(std::string_view sentence) {
 bool is_terminal(int descriptor) { return isatty(descriptor) != 0; }
 
 bool is_colour_welcome() {
+  if (ranks_started() > 1) return false;  // what mpirun shows us is no sign of where it leads
   const char* no_colour = std::getenv("NO_COLOR");
   return is_terminal(STDOUT_FILENO) && (no_colour == nullptr || *no_colour == '\0');
 }

@@ -7,6 +7,7 @@
 #include "cli/exit_code.hpp"
 #include "geometry/error.hpp"
 #include "geometry/glob.hpp"
+#include "reports/declared.hpp"
 
 namespace rayaudit {
 namespace {
@@ -62,6 +63,12 @@ const Primitive* unanswered(const Subject& subject, const Scene& scene) {
   return found == scene.primitives.end() ? nullptr : &*found;
 }
 
+/// Is a subject asked shapes and rays as a scene has them?
+bool takes_scenes(const Convention& convention) {
+  return convention.stand == Convention::Stand::anywhere && convention.extent == Extent::bounded &&
+         !convention.segment && !convention.line;
+}
+
 /// Adds a wish's renderers that are not there yet and answer the scene's shapes.
 void add(const Wish& wish, const std::vector<const Subject*>& subjects, const Scene& scene,
          std::vector<Renderer>& all) {
@@ -70,6 +77,11 @@ void add(const Wish& wish, const std::vector<const Subject*>& subjects, const Sc
       if (is_glob(wish.pattern)) continue;
       throw Error(fmt::format("subject `{}` does not answer the {} at {}", subject->name,
                               shape_names[what->shape.index()], told(what->place)));
+    }
+    if (!takes_scenes(subject->convention)) {
+      if (is_glob(wish.pattern)) continue;
+      throw Error(fmt::format("subject `{}` takes no scenes: it declares {}", subject->name,
+                              declared(subject->convention)));
     }
     const Renderer renderer = {subject, wish.offset};
     if (std::none_of(all.begin(), all.end(),

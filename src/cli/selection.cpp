@@ -25,6 +25,21 @@ bool reaches(const std::string& pattern, const std::vector<const Subject*>& all,
   });
 }
 
+/// Can a name or glob mean subjects of a library, and no others that we know of?
+bool means(const std::string& pattern, const std::vector<const Subject*>& all,
+           const Library& library) {
+  const std::string_view stem = library.stem();
+  const std::string_view start = std::string_view(pattern).substr(0, pattern.find_first_of("*?["));
+  const auto is_other = [&](const Subject* each) {
+    return each->brought_by.empty() ? each->name == pattern : matches(pattern, each->name);
+  };
+  if (std::any_of(all.begin(), all.end(), is_other)) return false;
+  if (start.starts_with(stem)) return true;
+  if (!is_glob(pattern) || start.empty() || !stem.starts_with(start)) return false;
+  return std::none_of(all.begin(), all.end(),
+                      [&](const Subject* each) { return matches(pattern, each->name); });
+}
+
 std::vector<std::string_view> names_of(const std::vector<const Subject*>& subjects) {
   std::vector<std::string_view> names;
   names.reserve(subjects.size());
@@ -32,13 +47,16 @@ std::vector<std::string_view> names_of(const std::vector<const Subject*>& subjec
   return names;
 }
 
+Error not_here(const std::string& pattern, const std::string& why) {
+  return {fmt::format("subject `{}` is not here: {}", pattern, why)};
+}
+
 }  // namespace
 
 void require_present(const std::vector<std::string>& patterns) {
   for (const std::string& pattern : patterns)
     for (const auto& [subjects, why] : absent_subjects())
-      if (matches(subjects, pattern))
-        throw Error(fmt::format("subject `{}` is not here: {}", pattern, why));
+      if (matches(subjects, pattern)) throw not_here(pattern, why);
 }
 
 Subjects::Subjects(const SubjectChoice& choice) {
@@ -55,6 +73,36 @@ Subjects::Subjects(const SubjectChoice& choice) {
         choice.program);
   for (const Subject& subject : brought_) all_.push_back(&subject);
   for (const Subject& subject : all_subjects()) all_.push_back(&subject);
+  // Behind an `@` stands the offset that a scene is traced with.
+  for (const std::string& name : choice.names) load(name.substr(0, name.rfind('@')));
+}
+
+void Subjects::load(const std::string& pattern) {
+  std::vector<const Library*> meant;
+  for (const Library& library : libraries())
+    if (means(pattern, all_, library)) meant.push_back(&library);
+  bool is_any_here = meant.empty();
+  for (const Library* library : meant) {
+    if (!is_here(*library)) {
+      if (matches(std::string(library->subjects), pattern))
+        throw not_here(pattern, why_absent(*library));
+      continue;
+    }
+    is_any_here = true;
+    if (!loaded_.contains(library->plugin)) load(*library);
+  }
+  if (!is_any_here) throw not_here(pattern, why_absent(*meant.front()));
+}
+
+void Subjects::load(const Library& library) {
+  std::vector<Subject>& loaded = loaded_[library.plugin] = subjects_of(library);
+  for (const Subject& subject : loaded) {
+    if (std::any_of(brought_.begin(), brought_.end(),
+                    [&](const Subject& each) { return each.name == subject.name; }))
+      throw Error(fmt::format("a subject `{}` is brought along, and a library has one of this name",
+                              subject.name));
+    all_.push_back(&subject);
+  }
 }
 
 void Subjects::add(std::vector<Subject> subjects, const std::string& brought_by,
@@ -91,13 +139,15 @@ std::vector<const Subject*> Subjects::selected(const SubjectChoice& choice, Unna
   return subjects;
 }
 
-const Subject* Subjects::find(const std::string& name) const {
+const Subject* Subjects::find(const std::string& name) {
+  load(name);
   const auto found = std::find_if(all_.begin(), all_.end(),
                                   [&](const Subject* each) { return each->name == name; });
   return found == all_.end() ? nullptr : *found;
 }
 
-const Subject& Subjects::named(const std::string& name) const {
+const Subject& Subjects::named(const std::string& name) {
+  load(name);
   return *all_[place_of("subject", name, names_of(all_))];
 }
 

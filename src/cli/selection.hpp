@@ -2,12 +2,14 @@
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "families/family.hpp"
+#include "subjects/libraries/libraries.hpp"
 #include "subjects/plugins.hpp"
 #include "subjects/program.hpp"
 #include "subjects/subject.hpp"
@@ -31,10 +33,12 @@ struct SubjectChoice {
   bool brings_any() const { return !plugins.empty() || !program.empty(); }
 };
 
-/// Subjects to choose from: those that a command line brings along, then all there are.
+/// Subjects to choose from: those that a command line brings along, then all of ours, then those of
+/// the libraries that were asked for.
 class Subjects {
  public:
-  /// Loads what is brought along. Throws Error where that cannot be, or a name is taken already.
+  /// Loads what is brought along, and what libraries the names can only mean. Throws Error where
+  /// that cannot be, or a name is taken already.
   explicit Subjects(const SubjectChoice& choice);
   Subjects(const Subjects&) = delete;
   Subjects& operator=(const Subjects&) = delete;
@@ -52,15 +56,23 @@ class Subjects {
   std::vector<const Subject*> selected(const SubjectChoice& choice,
                                        Unnamed unnamed = Unnamed::usual) const;
 
-  /// The subject of a name; throws Error where there is none.
-  const Subject& named(const std::string& name) const;
+  /// Loads the libraries, once each, whose subjects a name or glob can only mean: `embree/float`,
+  /// `coin*`, but neither `*/float` nor what any other subject is called. Throws Error where a
+  /// plugin cannot be loaded, or none of those meant is there.
+  void load(const std::string& pattern);
+
+  /// The subject of a name, loaded with its library if it is one's; throws Error where there is
+  /// none.
+  const Subject& named(const std::string& name);
   /// Null where there is none.
-  const Subject* find(const std::string& name) const;
+  const Subject* find(const std::string& name);
 
  private:
+  void load(const Library& library);
   void add(std::vector<Subject> subjects, const std::string& brought_by, std::string_view made_of);
 
   std::vector<Subject> brought_;
+  std::map<std::string_view, std::vector<Subject>> loaded_;  ///< by the plugin of their library
   std::vector<const Subject*> all_;
 };
 

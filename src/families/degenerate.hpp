@@ -65,6 +65,15 @@ WholeVec beside(Random& random, const Upright<S>& stand) {
   return stand.foot + i * stand.frame.u + j * stand.frame.v;
 }
 
+/// Along the plane of a disk, off it.
+template <class Shape>
+Case parallel_to(const Upright<Disk>& disk, Random& random, const Format& format,
+                 const Shape& shape) {
+  const WholeVec along = combination(random, format, disk.frame.u, disk.frame.v);
+  const WholeVec off = nonzero(random, disk.radius()) * disk.frame.w;
+  return from(random, format, shape, beside(random, disk) + off, along);
+}
+
 /// Along the plane of the disk, off it; along the axis, off the cylinder; on the cone along the
 /// axis or along a generator, where half are aimed at a point of the surface.
 template <template <class> class S>
@@ -72,9 +81,7 @@ Case parallel(Random& random, const Format& format, int) {
   const auto stand = upright<S>(random, format);
   const Frame& axes = stand.frame;
   if constexpr (same<S, Disk>) {
-    const WholeVec along = combination(random, format, axes.u, axes.v);
-    const WholeVec off = nonzero(random, stand.radius()) * axes.w;
-    return from(random, format, stand.shape(), beside(random, stand) + off, along);
+    return parallel_to(stand, random, format, stand.shape());
   } else if constexpr (same<S, Cylinder>) {
     const WholeVec height = random.whole(-stand.height(), stand.height()) * axes.w;
     const bool outside = random.one_in(2);
@@ -119,26 +126,33 @@ Case perpendicular(Random& random, const Format& format, int) {
   }
 }
 
-/// In the plane of the disk: into it, from within it, past it, or touching its rim; along a
-/// generator: before the stretch, on it (at its ends too), or after.
+/// In the plane of a disk: into it, from within it, past it, or touching its rim.
+template <class Shape>
+Case in_plane_of(const Upright<Disk>& disk, Random& random, const Format& format,
+                 const Shape& shape) {
+  const Frame& axes = disk.frame;
+  const Whole most = Sizes::of(format).step;
+  const Whole i = nonzero(random, most), j = nonzero(random, most);
+  const WholeVec along = i * axes.u + j * axes.v, across = i * axes.v - j * axes.u;
+  const Whole a = random.whole(-disk.radius(), disk.radius());
+  const Whole room = disk.radius() - std::abs(a), b = random.whole(-room, room);
+  const WholeVec in_disk = disk.foot + a * axes.u + b * axes.v;
+  const auto kind = random.below(8);
+  if (kind < 3) return through(random, format, shape, in_disk, along);
+  if (kind < 5) return from(random, format, shape, in_disk, along);
+  if (kind < 6) return through(random, format, shape, disk.point(0), random.either(axes.v));
+  const Whole past = disk.radius() / std::max(std::abs(i), std::abs(j)) + 1;
+  return through(random, format, shape, disk.foot + random.either(past * across), along);
+}
+
+/// In the plane of the disk; along a generator: before the stretch, on it (at its ends too), or
+/// after.
 template <template <class> class S>
 Case within(Random& random, const Format& format, int) {
   const auto stand = upright<S>(random, format);
   const auto shape = stand.shape();
-  const Frame& axes = stand.frame;
   if constexpr (same<S, Disk>) {
-    const Whole most = Sizes::of(format).step;
-    const Whole i = nonzero(random, most), j = nonzero(random, most);
-    const WholeVec along = i * axes.u + j * axes.v, across = i * axes.v - j * axes.u;
-    const Whole a = random.whole(-stand.radius(), stand.radius());
-    const Whole room = stand.radius() - std::abs(a), b = random.whole(-room, room);
-    const WholeVec in_disk = stand.foot + a * axes.u + b * axes.v;
-    const auto kind = random.below(8);
-    if (kind < 3) return through(random, format, shape, in_disk, along);
-    if (kind < 5) return from(random, format, shape, in_disk, along);
-    if (kind < 6) return through(random, format, shape, stand.point(0), random.either(axes.v));
-    const Whole past = stand.radius() / std::max(std::abs(i), std::abs(j)) + 1;
-    return through(random, format, shape, stand.foot + random.either(past * across), along);
+    return in_plane_of(stand, random, format, shape);
   } else {
     const Whole at = random.one_in(4) ? stand.stations * random.below(2)
                                       : random.whole(-stand.stations, 2 * stand.stations);
@@ -156,17 +170,23 @@ WholeVec surface_point(Random& random, const Upright<S>& stand, Whole station) {
   return stand.foot + i * stand.frame.u + j * stand.frame.v;
 }
 
-/// The ray begins exactly on the surface: at t = 0, or where t_min is.
+/// The ray begins at the point, at t = 0, or where t_min is.
 template <template <class> class S>
-Case surface(Random& random, const Format& format, int) {
-  const auto stand = upright<S>(random, format);
-  const WholeVec point = surface_point(random, stand, station(random, stand));
+Case begun(Random& random, const Format& format, const Upright<S>& stand, const WholeVec& point) {
   const WholeVec along = oblique(random, format, stand.frame);
   if (!random.one_in(4)) return from(random, format, stand.shape(), point, along);
   const Whole before = nonzero(random, fits(format, along));
   Ray<double> ray = {in<double>(point - before * along), in<double>(along)};
   ray.t_min = static_cast<double>(before);
   return rescaled(random, format, stand.shape(), ray);
+}
+
+/// The ray begins exactly on the surface.
+template <template <class> class S>
+Case surface(Random& random, const Format& format, int) {
+  const auto stand = upright<S>(random, format);
+  const WholeVec point = surface_point(random, stand, station(random, stand));
+  return begun(random, format, stand, point);
 }
 
 }  // namespace rayaudit::drawing

@@ -83,6 +83,15 @@ Shape read_shape(Words& words) {
   return readers[static_cast<std::size_t>(found - shape_names.begin())](words);
 }
 
+/// The word of an extent, where there is one.
+Extent read_extent(Words& words, const Shape& shape) {
+  const auto first = extent_words.begin() + 1;
+  const auto found = std::find(first, extent_words.end(), words.peek());
+  if (found == extent_words.end() || !has_extent(shape)) return Extent::bounded;
+  words.next();
+  return Extent{static_cast<std::uint8_t>(found - extent_words.begin())};
+}
+
 std::string numbers_of(const Shape& shape) {
   const int count = std::visit(
       [](const auto& s) {
@@ -92,6 +101,13 @@ std::string numbers_of(const Shape& shape) {
       },
       shape);
   return std::string(name(shape)) + "'s " + std::to_string(count) + " numbers";
+}
+
+/// What must follow the words of the shape that were read.
+std::string expected_after(const Case& question) {
+  if (question.extent != Extent::bounded)
+    return "`ray` after `" + std::string(word(question.extent)) + "`";
+  return "`ray` after the " + numbers_of(question.shape);
 }
 
 /// The word of each form of an answer, in their order.
@@ -158,10 +174,9 @@ CaseLine read_case_line(std::string_view line) {
   CaseLine read_line;
   Ray<double>& ray = read_line.question.ray;
   read_line.question.shape = read_shape(words);
-  const std::string_view word = words.next();
-  if (word != "ray")
-    throw Error("expected `ray` after the " + numbers_of(read_line.question.shape) + ", got " +
-                told_word(word));
+  read_line.question.extent = read_extent(words, read_line.question.shape);
+  if (const std::string_view word = words.next(); word != "ray")
+    throw Error("expected " + expected_after(read_line.question) + ", got " + told_word(word));
   read(words, {"ray", "origin"}, ray.origin);
   read(words, {"ray", "direction"}, ray.direction);
   std::string_view rest = words.rest();
@@ -202,6 +217,8 @@ void write(std::string& line, const Case& question) {
                    shape.parts());
       },
       question.shape);
+  if (question.extent != Extent::bounded && has_extent(question.shape))
+    (line += ' ') += word(question.extent);
   const Ray<double>& ray = question.ray;
   line += " ray ";
   write(line, ray.origin);

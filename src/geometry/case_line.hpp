@@ -12,9 +12,10 @@ namespace rayaudit {
 
 /// One case on one line of text, exactly: `sphere cx cy cz r ray ox oy oz dx dy dz [range tmin
 /// tmax] [hit t | at x y z | yes | miss | crashed | garbage | timed_out] [# why]`. Numbers are C
-/// hex floats or decimals, and inf. The words of a truth are read too: in front of the answer any
-/// number of `touch KIND t` and `touch within t t`, which are passed over; in its place `invalid
-/// WHY`, a refusal of the case, which is the answer miss.
+/// hex floats or decimals, and inf. After the numbers of a disk, cylinder or cone may stand its
+/// extent: `unbounded` or `both_nappes`. The words of a truth are read too: in front of the answer
+/// any number of `touch KIND t` and `touch within t t`, which are passed over; in its place
+/// `invalid WHY`, a refusal of the case, which is the answer miss.
 struct CaseLine {
   Case question;
   std::optional<Answer> answer;

@@ -27,6 +27,12 @@ struct Flatten {
   void operator()(const Cone<double>& cone) const {
     made.is.cone = {flat(cone.base), flat(cone.apex), cone.radius};
   }
+  void operator()(const CappedCylinder<double>& cylinder) const {
+    made.is.capped_cylinder = {flat(cylinder.base), flat(cylinder.top), cylinder.radius};
+  }
+  void operator()(const CappedCone<double>& cone) const {
+    made.is.capped_cone = {flat(cone.base), flat(cone.apex), cone.radius};
+  }
 };
 
 /// (high + low) 2^exponent; the low part says nothing beside an infinity or a NaN.
@@ -62,24 +68,25 @@ rayaudit_case flat(const Case& question) {
   rayaudit_case made = {};
   made.ray = {flat(ray.origin), flat(ray.direction), ray.t_min, ray.t_max};
   made.shape = static_cast<std::int32_t>(question.shape.index());
+  made.extent = static_cast<std::int32_t>(question.extent);
   std::visit(Flatten{made}, question.shape);
   return made;
 }
 
 Case from_flat(const rayaudit_case& question) {
-  const auto shape = [&]() -> Shape {
-    switch (question.shape) {
-      case RAYAUDIT_DISK:
-        return in<double>(question.is.disk);
-      case RAYAUDIT_SPHERE:
-        return in<double>(question.is.sphere);
-      case RAYAUDIT_CYLINDER:
-        return in<double>(question.is.cylinder);
-      default:
-        return in<double>(question.is.cone);
-    }
+  const auto shape = [&]<std::size_t... I>(std::index_sequence<I...>) {
+    Shape made;
+    const auto take = [&]<template <class> class S>(const S<double>*) {
+      made = part<double, S>(question);
+    };
+    ((question.shape == static_cast<std::int32_t>(I)
+          ? take(static_cast<std::variant_alternative_t<I, Shape>*>(nullptr))
+          : void()),
+     ...);
+    return made;
   };
-  return {in<double>(question.ray), shape()};
+  return {in<double>(question.ray), shape(std::make_index_sequence<shape_count>{}),
+          Extent{static_cast<std::uint8_t>(question.extent)}};
 }
 
 rayaudit_answer flat(const Answer& answer) {

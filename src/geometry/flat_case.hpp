@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 #include "geometry/answer.hpp"
 #include "geometry/case.hpp"
 #include "rayaudit/case.h"
@@ -7,7 +9,7 @@
 /// Cases and answers as plain C has them (rayaudit/case.h), and back.
 namespace rayaudit {
 
-/// The parts of a flat case, in any number.
+/// The parts of a flat ray, in any number.
 template <class N>
 Vec3<N> in(const rayaudit_vec3& v) {
   return {N(v.x), N(v.y), N(v.z)};
@@ -16,21 +18,19 @@ template <class N>
 Ray<N> in(const rayaudit_ray& ray) {
   return {in<N>(ray.origin), in<N>(ray.direction), N(ray.t_min), N(ray.t_max)};
 }
-template <class N>
-Disk<N> in(const rayaudit_disk& disk) {
-  return {in<N>(disk.centre), in<N>(disk.normal), N(disk.radius)};
-}
-template <class N>
-Sphere<N> in(const rayaudit_sphere& sphere) {
-  return {in<N>(sphere.centre), N(sphere.radius)};
-}
-template <class N>
-Cylinder<N> in(const rayaudit_cylinder& cylinder) {
-  return {in<N>(cylinder.base), in<N>(cylinder.top), N(cylinder.radius)};
-}
-template <class N>
-Cone<N> in(const rayaudit_cone& cone) {
-  return {in<N>(cone.base), in<N>(cone.apex), N(cone.radius)};
+
+/// The parts of a flat case of a shape, in any number.
+template <class N, template <class> class S>
+S<N> part(const rayaudit_case& question) {
+  const auto& is = question.is;
+  if constexpr (std::is_same_v<S<N>, Disk<N>>)
+    return {in<N>(is.disk.centre), in<N>(is.disk.normal), N(is.disk.radius)};
+  else if constexpr (std::is_same_v<S<N>, Sphere<N>>)
+    return {in<N>(is.sphere.centre), N(is.sphere.radius)};
+  else if constexpr (std::is_same_v<S<N>, Cone<N>> || std::is_same_v<S<N>, CappedCone<N>>)
+    return {in<N>(is.cone.base), in<N>(is.cone.apex), N(is.cone.radius)};
+  else
+    return {in<N>(is.cylinder.base), in<N>(is.cylinder.top), N(is.cylinder.radius)};
 }
 
 rayaudit_case flat(const Case& question);

@@ -2,24 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <type_traits>
 
 namespace rayaudit {
+
+using real_detail::is_simple;
+using real_detail::room;
+using real_detail::two_sum;
+
 namespace {
-
-template <class W>
-struct Sum {
-  W value, rest;
-};
-
-/// a + b = value + rest exactly, value rounded to nearest: Knuth, The Art of Computer Programming
-/// 2, section 4.2.2, theorem B.
-template <class W>
-Sum<W> two_sum(W a, W b) {
-  const W value = a + b;
-  const W of_b = value - a;
-  return {value, (a - (value - of_b)) + (b - of_b)};
-}
 
 template <class W>
 int sign_of(W x) {
@@ -47,10 +40,24 @@ void distil(std::array<W, n>& parts) {
   }
 }
 
+/// 2^e, for the exponents of normal numbers.
+double power_of_two(int e) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
+}
+bool has_power(int e) { return e >= -1022 && e <= 1023; }
+
+/// std::ilogb, at once where x is normal.
+int exponent_of(double x) {
+  const int biased = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff);
+  return biased != 0 && biased != 0x7ff ? biased - 1023 : std::ilogb(x);
+}
+int exponent_of(long double x) { return std::ilogb(x); }
+
 /// The largest e with 2^e <= |head + tail|, where head is normal and the tail has the given sign.
 template <class W>
 int binade_of(W head, int tail) {
-  const int e = std::ilogb(head);
+  if (tail == 0) return exponent_of(head);
+  const int e = exponent_of(head);
   const bool below = tail * sign_of(head) < 0 && std::abs(head) == std::ldexp(W(1), e);
   return below ? e - 1 : e;
 }
@@ -66,7 +73,7 @@ bool is_modest(double x) { return x == 0 || (std::abs(x) < 0x1p1000 && std::abs(
 /// The same value where no sum of parts can overflow.
 Real roomy(const Real& x) {
   const double largest = std::max({std::abs(x.high), std::abs(x.middle), std::abs(x.low)});
-  return largest < 0x1p1016 ? x : scaled_parts(x, -64);
+  return largest < room ? x : scaled_parts(x, -64);
 }
 
 }  // namespace
@@ -74,21 +81,25 @@ Real roomy(const Real& x) {
 Real normal(const Real& x) {
   // The common forms, already normal: one part, or a second that rounds away.
   if (x.low == 0 && (x.middle == 0 || x.high + x.middle == x.high)) return x;
+  if (is_simple(x)) {
+    const auto [value, rest] = two_sum(x.high, x.middle);
+    return {value, rest, 0, x.exponent};
+  }
   if (!is_finite(x)) return x;
-  const Real room = roomy(x);
-  std::array<double, 3> parts = {room.high, room.middle, room.low};
+  const Real roomier = roomy(x);
+  std::array<double, 3> parts = {roomier.high, roomier.middle, roomier.low};
   distil(parts);
-  return {parts[0], parts[1], parts[2], room.exponent};
+  return {parts[0], parts[1], parts[2], roomier.exponent};
 }
 
-int sign(const Real& x) { return sign_of(normal(x).high); }
+int real_detail::sign_of_three(const Real& x) { return sign_of(normal(x).high); }
 
 int binade(const Real& x) {
   const Real n = normal(x);
   return binade_of(n.high, sign_of(n.middle)) + n.exponent;
 }
 
-Real difference(const Real& a, const Real& b) {
+Real real_detail::any_difference(const Real& a, const Real& b) {
   if (!is_finite(a) || !is_finite(b)) return real(a.high - b.high);
   const Real minus_b = {-b.high, -b.middle, -b.low, b.exponent};
   if (sign(a) == 0) return normal(minus_b);
@@ -104,11 +115,6 @@ Real difference(const Real& a, const Real& b) {
                                  less.middle, from.low,  less.low};
   distil(parts);
   return {parts[0], parts[1], parts[2], from.exponent};
-}
-
-int compare(const Real& a, const Real& b) {
-  if (is_finite(a) && is_finite(b)) return sign(difference(a, b));
-  return (a.high > b.high) - (a.high < b.high);
 }
 
 template <class N>
@@ -149,7 +155,9 @@ double ulps(const Real& got, const Real& exact, const Format& format) {
 
 double scaled(const Real& x, int e) {
   const Real n = normal(x);
-  const double quick = std::ldexp(std::abs(n.high), n.exponent - e);
+  const int shift = n.exponent - e;
+  const double quick = has_power(shift) ? std::abs(n.high) * power_of_two(shift)
+                                        : std::ldexp(std::abs(n.high), shift);
   if (is_modest(quick) && quick != 0) return quick;
   return std::abs(nearest<double>({x.high, x.middle, x.low, x.exponent - e}));
 }

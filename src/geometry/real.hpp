@@ -40,8 +40,42 @@ inline bool is_nan(const Real& x) { return std::isnan(x.high); }
 inline bool is_infinite(const Real& x) { return std::isinf(x.high); }
 inline bool is_finite(const Real& x) { return std::isfinite(x.high); }
 
+/// What the functions below do at once for numbers of two parts, and at length for others.
+namespace real_detail {
+
+template <class W>
+struct Sum {
+  W value, rest;
+};
+
+/// a + b = value + rest exactly, value rounded to nearest: Knuth, The Art of Computer Programming
+/// 2, section 4.2.2, theorem B.
+template <class W>
+Sum<W> two_sum(W a, W b) {
+  const W value = a + b;
+  const W of_b = value - a;
+  return {value, (a - (value - of_b)) + (b - of_b)};
+}
+
+inline constexpr double room = 0x1p1016;  ///< sums of a few numbers below it do not overflow
+
+/// Has it two parts at most, far from overflow? Then a sum of two such numbers is soon told.
+inline bool is_simple(const Real& x) {
+  return x.low == 0 && std::abs(x.high) < room && std::abs(x.middle) < room;
+}
+
+int sign_of_three(const Real& x);
+Real any_difference(const Real& a, const Real& b);
+
+}  // namespace real_detail
+
 /// -1, 0 or 1; x must not be NaN.
-int sign(const Real& x);
+inline int sign(const Real& x) {
+  if (x.low != 0) return real_detail::sign_of_three(x);
+  const double sum = x.high + x.middle;  // of two doubles it does not round to 0 unless it is
+  const double least = x.middle == 0 ? x.high : sum;
+  return (least > 0) - (least < 0);
+}
 
 /// The same value in normal form: high the rounded sum, parts that do not overlap.
 Real normal(const Real& x);
@@ -51,10 +85,23 @@ int binade(const Real& x);
 
 /// a - b, in normal form, to 2^-100 of the larger operand and exactly where it cancels to a few
 /// leading bits; saturates to an infinity where the exponents of a and b differ by over 2,000.
-Real difference(const Real& a, const Real& b);
+inline Real difference(const Real& a, const Real& b) {
+  using real_detail::two_sum;
+  if (a.exponent == b.exponent && real_detail::is_simple(a) && real_detail::is_simple(b)) {
+    const auto [high, rest] = two_sum(a.high, -b.high);
+    const auto [middle, lost] = two_sum(a.middle, -b.middle);
+    const auto [small, smaller] = two_sum(rest, middle);
+    const auto [value, tail] = two_sum(high, small);
+    if (lost == 0 && smaller == 0) return {value, tail, 0, a.exponent};
+  }
+  return real_detail::any_difference(a, b);
+}
 
 /// The sign of a - b, as exact as difference.
-int compare(const Real& a, const Real& b);
+inline int compare(const Real& a, const Real& b) {
+  if (is_finite(a) && is_finite(b)) return sign(difference(a, b));
+  return (a.high > b.high) - (a.high < b.high);
+}
 
 /// x as a number of N, to nearest (ties to even) of the value that x holds; overflows to an
 /// infinity.

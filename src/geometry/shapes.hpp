@@ -77,9 +77,42 @@ struct Cone {
   friend bool operator==(const Cone&, const Cone&) = default;
 };
 
+/// The surface of the solid cylinder of radius r from base centre a to top centre b: the lateral
+/// surface and two caps, whose rims are edges that close it.
+template <class N>
+struct CappedCylinder {
+  Vec3<N> base, top;
+  N radius;
+
+  static constexpr std::string_view name = "capped_cylinder";
+  static constexpr std::string_view about = "lateral surface and caps, the surface of a solid";
+  static constexpr std::array kinds = {Part::point, Part::point, Part::length};
+  static constexpr std::array<std::string_view, 3> labels = {"base", "top", "radius"};
+  auto parts() { return std::tie(base, top, radius); }
+  auto parts() const { return std::tie(base, top, radius); }
+  friend bool operator==(const CappedCylinder&, const CappedCylinder&) = default;
+};
+
+/// The surface of the solid cone from a base of centre a and radius r to the apex b: one nappe and
+/// the disk that closes it.
+template <class N>
+struct CappedCone {
+  Vec3<N> base, apex;
+  N radius;
+
+  static constexpr std::string_view name = "capped_cone";
+  static constexpr std::string_view about = "one nappe and its base, the surface of a solid";
+  static constexpr std::array kinds = {Part::point, Part::point, Part::length};
+  static constexpr std::array<std::string_view, 3> labels = {"base", "apex", "radius"};
+  auto parts() { return std::tie(base, apex, radius); }
+  auto parts() const { return std::tie(base, apex, radius); }
+  friend bool operator==(const CappedCone&, const CappedCone&) = default;
+};
+
 /// The list of shapes. A new one is its struct, a word here, its field and its families.
 template <class N>
-using AnyShape = std::variant<Disk<N>, Sphere<N>, Cylinder<N>, Cone<N>>;
+using AnyShape =
+    std::variant<Disk<N>, Sphere<N>, Cylinder<N>, Cone<N>, CappedCylinder<N>, CappedCone<N>>;
 
 using Shape = AnyShape<double>;
 

@@ -24,13 +24,14 @@ inline constexpr double underflow = 0x1p-1060;
                                                                 DoubleDouble z) {
   if (!is_finite(a) || !is_some(b) || !(size(z) <= largest)) return unbounded(z);
   if (is_exact_zero(a)) return {z, 0, 0};
-  // Brought to the middle of the range; what underflows may be divided by the divisor.
-  const double scale = size(b.value) < 1 ? 0x1p500 : 0x1p-500;
-  const double divisor = (size(b.value) * (1 - 0x1p-50) - b.most) * scale;
+  // Both sides of a small divisor are brought up first: what is divided is tiny, and must not
+  // itself underflow. What underflows on the way may be divided by the divisor.
+  const double scale = size(b.value) < 1 ? 0x1p500 : 1;
+  const double divisor = size(b.value) * scale * (1 - 0x1p-50) - b.most * scale;
   const double share =
       (b.most * scale + size(b.value) * scale * DoubleDouble::quotient_error) / divisor;
-  const double lost = underflow + underflow / divisor * scale * (1 + share);
-  return {z, 0, (a.most / divisor * scale + size(z) * share) * upward + lost};
+  const double lost = underflow + underflow * scale / divisor * (1 + share);
+  return {z, 0, (a.most * scale / divisor + size(z) * share) * upward + lost};
 }
 
 }  // namespace running_bound

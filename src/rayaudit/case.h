@@ -46,22 +46,39 @@ typedef struct rayaudit_cone {
   double radius;
 } rayaudit_cone;
 
+/// The surface of the solid cylinder: lateral surface and caps.
+typedef rayaudit_cylinder rayaudit_capped_cylinder;
+/// The surface of the solid cone: one nappe and its base.
+typedef rayaudit_cone rayaudit_capped_cone;
+
 typedef enum rayaudit_shape {
   RAYAUDIT_DISK = 0,
   RAYAUDIT_SPHERE = 1,
   RAYAUDIT_CYLINDER = 2,
-  RAYAUDIT_CONE = 3
+  RAYAUDIT_CONE = 3,
+  RAYAUDIT_CAPPED_CYLINDER = 4,
+  RAYAUDIT_CAPPED_CONE = 5
 } rayaudit_shape;
+
+/// How much of the surface of a disk, cylinder or cone is asked about.
+typedef enum rayaudit_extent {
+  RAYAUDIT_BOUNDED = 0,     ///< the shape as it is
+  RAYAUDIT_UNBOUNDED = 1,   ///< the plane of the disk, an endless cylinder, an endless nappe
+  RAYAUDIT_BOTH_NAPPES = 2  ///< the same, and of a cone the mirrored nappe too
+} rayaudit_extent;
 
 /// Do they meet, and where first?
 typedef struct rayaudit_case {
   rayaudit_ray ray;
-  int32_t shape;  ///< a rayaudit_shape, which says what of the union is meant
+  int32_t shape;   ///< a rayaudit_shape, which says what of the union is meant
+  int32_t extent;  ///< a rayaudit_extent
   union {
     rayaudit_disk disk;
     rayaudit_sphere sphere;
     rayaudit_cylinder cylinder;
     rayaudit_cone cone;
+    rayaudit_capped_cylinder capped_cylinder;
+    rayaudit_capped_cone capped_cone;
     double numbers[16];  ///< room for shapes to come
   } is;
 } rayaudit_case;

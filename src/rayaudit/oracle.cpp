@@ -70,7 +70,9 @@ int guarded(const Body& body) {
 }
 
 Case case_of(const rayaudit_case& question) {
-  if (question.shape < RAYAUDIT_DISK || question.shape > RAYAUDIT_CONE) throw NoneSuch{};
+  if (question.shape < RAYAUDIT_DISK || question.shape > RAYAUDIT_CAPPED_CONE ||
+      question.extent < RAYAUDIT_BOUNDED || question.extent > RAYAUDIT_BOTH_NAPPES)
+    throw NoneSuch{};
   return from_flat(question);
 }
 

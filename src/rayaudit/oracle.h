@@ -162,8 +162,9 @@ int rayaudit_truths(const rayaudit_case* cases, size_t count, rayaudit_truth* tr
 int rayaudit_judge(const rayaudit_case* question, const rayaudit_answer* answer, int32_t format,
                    const rayaudit_convention* convention, rayaudit_judgement* judgement);
 
-/// The case as it is to be asked under the convention: with a direction normalised in the format,
-/// and a range that is answered in.
+/// The case as it is to be asked under the convention: with the extent and the opening that it
+/// declares, standing as it does, with a direction normalised in the format or a segment, and a
+/// range that is answered in. What was posed so already stays as it is.
 int rayaudit_posed(const rayaudit_case* question, int32_t format,
                    const rayaudit_convention* convention, rayaudit_case* posed);
 

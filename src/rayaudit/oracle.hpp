@@ -36,12 +36,23 @@ using Disk = rayaudit_disk;
 using Sphere = rayaudit_sphere;
 using Cylinder = rayaudit_cylinder;
 using Cone = rayaudit_cone;
+/// Of C one type with cylinder and cone; here others, so that a question is told apart.
+struct CappedCylinder {
+  Vec3 base, top;
+  double radius;
+};
+struct CappedCone {
+  Vec3 base, apex;
+  double radius;
+};
 using Case = rayaudit_case;
 using Crossing = rayaudit_crossing;
 using Convention = rayaudit_convention;
 
 /// The numbers of the enumerators are those of oracle.h, where each is explained.
 enum class Format : std::int32_t { in_double, in_float, in_long_double };
+/// How much of the surface of a disk, cylinder or cone is asked about.
+enum class Extent : std::int32_t { bounded, unbounded, both_nappes };
 enum class Invalid : std::int32_t {
   no,
   nan,
@@ -122,26 +133,40 @@ inline Disk disk(Vec3 centre, Vec3 normal, double radius) { return {centre, norm
 inline Sphere sphere(Vec3 centre, double radius) { return {centre, radius}; }
 inline Cylinder cylinder(Vec3 base, Vec3 top, double radius) { return {base, top, radius}; }
 inline Cone cone(Vec3 base, Vec3 apex, double radius) { return {base, apex, radius}; }
+inline CappedCylinder capped_cylinder(Vec3 base, Vec3 top, double radius) {
+  return {base, top, radius};
+}
+inline CappedCone capped_cone(Vec3 base, Vec3 apex, double radius) { return {base, apex, radius}; }
 
 /// Do they meet, and where first?
-inline Case question_of(const Ray& ray, const Disk& disk) {
-  Case question = {ray, RAYAUDIT_DISK, {}};
+inline Case question_of(const Ray& ray, const Disk& disk, Extent extent = Extent::bounded) {
+  Case question = {ray, RAYAUDIT_DISK, static_cast<int>(extent), {}};
   question.is.disk = disk;
   return question;
 }
 inline Case question_of(const Ray& ray, const Sphere& sphere) {
-  Case question = {ray, RAYAUDIT_SPHERE, {}};
+  Case question = {ray, RAYAUDIT_SPHERE, RAYAUDIT_BOUNDED, {}};
   question.is.sphere = sphere;
   return question;
 }
-inline Case question_of(const Ray& ray, const Cylinder& cylinder) {
-  Case question = {ray, RAYAUDIT_CYLINDER, {}};
+inline Case question_of(const Ray& ray, const Cylinder& cylinder, Extent extent = Extent::bounded) {
+  Case question = {ray, RAYAUDIT_CYLINDER, static_cast<int>(extent), {}};
   question.is.cylinder = cylinder;
   return question;
 }
-inline Case question_of(const Ray& ray, const Cone& cone) {
-  Case question = {ray, RAYAUDIT_CONE, {}};
+inline Case question_of(const Ray& ray, const Cone& cone, Extent extent = Extent::bounded) {
+  Case question = {ray, RAYAUDIT_CONE, static_cast<int>(extent), {}};
   question.is.cone = cone;
+  return question;
+}
+inline Case question_of(const Ray& ray, const CappedCylinder& cylinder) {
+  Case question = {ray, RAYAUDIT_CAPPED_CYLINDER, RAYAUDIT_BOUNDED, {}};
+  question.is.capped_cylinder = {cylinder.base, cylinder.top, cylinder.radius};
+  return question;
+}
+inline Case question_of(const Ray& ray, const CappedCone& cone) {
+  Case question = {ray, RAYAUDIT_CAPPED_CONE, RAYAUDIT_BOUNDED, {}};
+  question.is.capped_cone = {cone.base, cone.apex, cone.radius};
   return question;
 }
 /// Of a case line; throws std::invalid_argument, which says why it is none.
@@ -278,8 +303,7 @@ inline Judgement judge(const Answer& answer, const Case& question,
           flat.margin};
 }
 
-/// The case as it is to be asked under a convention: with a direction normalised in the format, and
-/// a range that is answered in.
+/// The case as it is to be asked under a convention; posed already, it stays as it is.
 inline Case posed(const Case& question, const Convention& convention,
                   Format format = Format::in_double) {
   Case made;

@@ -43,6 +43,8 @@ typedef struct rayaudit_subject {
   const char* format;  ///< what it works in: float, double or long_double
   rayaudit_convention convention;
   rayaudit_batch disk, sphere, cylinder, cone;  ///< null where it does not answer the shape
+  rayaudit_batch capped_cylinder, capped_cone;
+  const char* about;  ///< what it is, as `Embree 3.13.5, rtcIntersect1`; may be null
 } rayaudit_subject;
 
 typedef struct rayaudit_plugin {

@@ -52,8 +52,8 @@ std::string header() {
       row.add(std::string(name(static_cast<oracle::Kind>(i))) + taken);
   for (std::size_t i = 1; i < side_count; ++i)
     row.add("side_" + std::string(name(static_cast<Side>(i))));
-  row.add(std::string_view("decided_by_interval"));
-  row.add(std::string_view("decided_by_exact"));
+  for (std::size_t i = 0; i < oracle::stage_count; ++i)
+    row.add("decided_by_" + std::string(name(static_cast<oracle::Stage>(i))));
   for (const std::string errors : {"ulp_", "forced_", "distance_"})
     for (const auto* what : {"p50", "p99", "max"}) row.add(errors + what);
   for (std::size_t i = 0; i < cause_count; ++i)
@@ -82,8 +82,7 @@ std::string line(const Audit& audit) {
     row.add(tally.touches[i].passed);
   }
   for (std::size_t i = 1; i < side_count; ++i) row.add(tally.sides[i]);
-  row.add(tally.by_interval);
-  row.add(tally.by_exact);
+  for (const std::uint64_t count : tally.decided_by) row.add(count);
   for (const Histogram* errors : {&tally.ulps, &tally.forced, &tally.distance}) row.add(*errors);
   const CauseCount causes = tally.causes();
   for (std::size_t i = 0; i < cause_count; ++i) {

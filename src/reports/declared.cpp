@@ -17,10 +17,13 @@ std::string declared(const Convention& convention) {
     if (const auto stance = convention.stances[kind]; stance != Convention::Stance::either)
       add(name(static_cast<oracle::Kind>(kind)),
           stance == Convention::Stance::hit ? "hit" : "miss");
-  if (convention.inside != Convention::Inside::hit)
-    add("inside", convention.inside == Convention::Inside::miss ? "miss" : "start");
+  if (convention.inside != Convention::Inside::hit) add("inside", name(convention.inside));
   if (convention.unit_direction) add("direction", "unit");
   if (convention.line) add("ray", "line");
+  if (convention.segment) add("ray", "segment");
+  if (convention.extent != Extent::bounded) add("extent", word(convention.extent));
+  if (convention.stand != Convention::Stand::anywhere) add("stand", word(convention.stand));
+  if (convention.opening != Convention::Opening::radius) add("opening", word(convention.opening));
   if (std::isfinite(convention.t_min)) add("t_min", fmt::format("{}", convention.t_min));
   if (std::isfinite(convention.t_max)) add("t_max", fmt::format("{}", convention.t_max));
   return words;

@@ -135,8 +135,7 @@ std::string stated(const Convention& convention) {
   for (std::size_t kind = 1; kind < convention.stances.size(); ++kind)
     if (const Stance stance = convention.stances[kind]; stance != Stance::either)
       state(name(static_cast<Kind>(kind)), stance == Stance::hit ? "hit" : "miss");
-  if (convention.inside != Convention::Inside::hit)
-    state("inside", convention.inside == Convention::Inside::miss ? "miss" : "start");
+  if (convention.inside != Convention::Inside::hit) state("inside", name(convention.inside));
   return text.empty() ? text : text + ' ';
 }
 

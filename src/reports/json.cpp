@@ -66,15 +66,17 @@ Json own(const Audit& audit, const Convention& stated) {
 /// The wrong verdicts, each claim apart, with the worst case of each.
 Json outcomes(const Audit& audit, const Convention& stated) {
   Json all = Json::array();
-  for (const auto& [verdict, claim, count, worst, causes] : audit.tally.outcomes)
-    if (is_wrong(verdict) && worst)
-      all.push_back({{"verdict", name(verdict)},
-                     {"claim", name(claim)},
-                     {"count", count},
-                     {"margin", number(worst->severity)},
-                     {"cause", told(worst->diagnosis)},
-                     {"case", answered_line(*worst)},
-                     {"explain", explain_line(*worst, *audit.subject, stated)}});
+  for (const auto& [verdict, claim, count, worst, causes, beyond_rounding] : audit.tally.outcomes) {
+    if (!is_wrong(verdict) || !worst) continue;
+    all.push_back({{"verdict", name(verdict)},
+                   {"claim", name(claim)},
+                   {"count", count},
+                   {"margin", number(worst->severity)},
+                   {"cause", told(worst->diagnosis)},
+                   {"case", answered_line(*worst)},
+                   {"explain", explain_line(*worst, *audit.subject, stated)}});
+    if (beyond_rounding > 0) all.back()["beyond_rounding"] = beyond_rounding;
+  }
   return all;
 }
 
@@ -127,14 +129,17 @@ Json bound(const Certificate& certificate) {
 
 Json told(const Convention& convention) {
   constexpr std::string_view stances[] = {"either", "hit", "miss"};
-  constexpr std::string_view insides[] = {"hit", "miss", "start"};
+  constexpr std::string_view insides[] = {"hit", "miss", "start", "any"};
   Json told = Json::object();
   for (std::size_t i = 1; i < convention.stances.size(); ++i)
     told[std::string(name(nth<oracle::Kind>(i)))] =
         stances[static_cast<std::size_t>(convention.stances[i])];
   told["inside"] = insides[static_cast<std::size_t>(convention.inside)];
   told["direction"] = convention.unit_direction ? "unit" : "any";
-  told["ray"] = convention.line ? "line" : "half";
+  told["ray"] = convention.line ? "line" : convention.segment ? "segment" : "half";
+  told["extent"] = convention.extent == Extent::bounded ? "bounded" : word(convention.extent);
+  told["stand"] = word(convention.stand);
+  told["opening"] = word(convention.opening);
   told["t_min"] = number(convention.t_min);
   told["t_max"] = number(convention.t_max);
   return told;
@@ -165,7 +170,8 @@ Json told(const Audit& audit, const Plan& plan) {
     told[std::string(name(nth<Verdict>(i)))] = tally.verdicts[i];
   told["claims"] = claims(tally);
   told["touches"] = touches(tally);
-  told["decided_by"] = {{"interval", tally.by_interval}, {"exact", tally.by_exact}};
+  for (std::size_t i = 0; i < oracle::stage_count; ++i)
+    told["decided_by"][std::string(name(nth<oracle::Stage>(i)))] = tally.decided_by[i];
   told["ulp"] = errors(tally.ulps);
   told["forced"] = errors(tally.forced);
   told["own"] = own(audit, plan.convention);

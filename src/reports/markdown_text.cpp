@@ -20,7 +20,17 @@ bool is_word(std::string_view text, std::size_t i) {
 /// Means a letter nothing where it stands? An underscore within a word does not.
 bool is_plain(std::string_view text, std::size_t i) {
   if (text[i] == '_') return is_word(text, i - 1) && is_word(text, i + 1);
-  return is_word(text, i) || std::string_view(" /-.,:;()%+='?^").find(text[i]) != text.npos;
+  return is_word(text, i) || std::string_view(" /-.,:;()%+='\"?^").find(text[i]) != text.npos;
+}
+
+/// The most backquotes in a row.
+std::size_t most_backquotes(std::string_view text) {
+  std::size_t longest = 0, here = 0;
+  for (const char letter : text) {
+    here = letter == '`' ? here + 1 : 0;
+    longest = std::max(longest, here);
+  }
+  return longest;
 }
 
 }  // namespace
@@ -38,13 +48,22 @@ std::string markdown_text(std::string_view bytes) {
   return text;
 }
 
+std::string one_line(std::string_view bytes) {
+  std::string text(bytes);
+  for (char& letter : text)
+    if (letter < ' ' || letter > '~') letter = ' ';
+  return text;
+}
+
+std::string code_span(std::string_view line) {
+  const std::string text = one_line(line), fence(most_backquotes(text) + 1, '`');
+  const bool touches = text.starts_with('`') || text.ends_with('`');
+  const std::string_view room = touches ? " " : "";
+  return fmt::format("{}{}{}{}{}", fence, room, text, room, fence);
+}
+
 std::string fenced(std::string_view text) {
-  std::size_t longest = 2, here = 0;
-  for (const char letter : text) {
-    here = letter == '`' ? here + 1 : 0;
-    longest = std::max(longest, here);
-  }
-  const std::string fence(longest + 1, '`');
+  const std::string fence(std::max<std::size_t>(most_backquotes(text), 2) + 1, '`');
   return fmt::format("{}\n{}{}\n", fence, text, fence);
 }
 

@@ -10,6 +10,12 @@ namespace rayaudit {
 /// entities, what is no printable ASCII as \x1b.
 std::string markdown_text(std::string_view bytes);
 
+/// A line as code within a line, with whatever marks it has; what is no printable ASCII as a space.
+/// Not for a cell with a bar.
+std::string code_span(std::string_view line);
+/// The same line without the code, for where nothing is a mark.
+std::string one_line(std::string_view bytes);
+
 /// A text, which ends its last line, as a block of code: nothing in it is a mark.
 std::string fenced(std::string_view text);
 

@@ -43,26 +43,41 @@ std::string declared(std::string_view name, double x, const Spelling& in) {
   return fmt::format("  const {} {} = {};\n", in.type, name, literal(x, in));
 }
 
+bool is_float(double x) { return std::isnan(x) || x == static_cast<double>(static_cast<float>(x)); }
+bool is_float(const Vec3<double>& v) { return is_float(v.x) && is_float(v.y) && is_float(v.z); }
+
+/// The way between two floats need not be a float, nor the radius of an angle that is one.
+template <class Part>
+Spelling spelling_of(const Part& part, const Spelling& in) {
+  return in.suffix == "f" && !is_float(part) ? spelling(double_format, PastedAs::c) : in;
+}
+
+/// The function under test: `intersect_cylinder`, `intersect_unbounded_cylinder`.
+std::string called(const Case& question) {
+  const std::string_view extent = word(question.extent);
+  return fmt::format("intersect_{}{}{}", extent, extent.empty() ? "" : "_", name(question.shape));
+}
+
 /// The numbers of the case, and the call with them.
 std::string asked(const Case& question, const Spelling& in) {
-  std::string text = declared("origin", question.ray.origin, in) +
-                     declared("direction", question.ray.direction, in) +
-                     declared("t_min", question.ray.t_min, in) +
-                     declared("t_max", question.ray.t_max, in);
+  std::string text =
+      declared("origin", question.ray.origin, in) +
+      declared("direction", question.ray.direction, spelling_of(question.ray.direction, in)) +
+      declared("t_min", question.ray.t_min, in) + declared("t_max", question.ray.t_max, in);
   std::string names = "origin, direction, t_min, t_max";
   std::visit(
       [&](const auto& shape) {
         std::size_t i = 0;
         const auto add = [&](const auto& part) {
-          text += declared(shape.labels[i], part, in);
+          text += declared(shape.labels[i], part, spelling_of(part, in));
           (names += ", ") += shape.labels[i];
           ++i;
         };
         std::apply([&](const auto&... part) { (add(part), ...); }, shape.parts());
       },
       question.shape);
-  return text + fmt::format("  {} t = 0;\n  const bool hit = intersect_{}({}, &t);  /* yours */\n",
-                            in.type, name(question.shape), names);
+  return text + fmt::format("  {} t = 0;\n  const bool hit = {}({}, &t);  /* yours */\n", in.type,
+                            called(question), names);
 }
 
 template <class N>
@@ -162,15 +177,17 @@ std::string preamble(const Case& question, PastedAs as, const Spelling& in) {
       "#include <cmath>",
       "#include <assert.h>\n#include <math.h>\n#include <stdbool.h>"};
   std::string parameters =
-      fmt::format("const {0} origin[3], const {0} direction[3], {0} t_min, {0} t_max", in.type);
+      fmt::format("const {0} origin[3], const {1} direction[3], {0} t_min, {0} t_max", in.type,
+                  spelling_of(question.ray.direction, in).type);
   std::visit(
       [&](const auto& shape) {
         std::size_t i = 0;
         const auto add = [&](const auto& part) {
           if constexpr (requires { part.x; })
-            parameters += fmt::format(", const {} {}[3]", in.type, shape.labels[i]);
+            parameters +=
+                fmt::format(", const {} {}[3]", spelling_of(part, in).type, shape.labels[i]);
           else
-            parameters += fmt::format(", {} {}", in.type, shape.labels[i]);
+            parameters += fmt::format(", {} {}", spelling_of(part, in).type, shape.labels[i]);
           ++i;
         };
         std::apply([&](const auto&... part) { (add(part), ...); }, shape.parts());
@@ -178,8 +195,8 @@ std::string preamble(const Case& question, PastedAs as, const Spelling& in) {
       question.shape);
   return fmt::format(
       "{}\n\n/* Yours: true and t, in units of the direction, or false. */\n"
-      "bool intersect_{}({}, {}* t);\n\n",
-      includes[static_cast<std::size_t>(as)], name(question.shape), parameters, in.type);
+      "bool {}({}, {}* t);\n\n",
+      includes[static_cast<std::size_t>(as)], called(question), parameters, in.type);
 }
 
 std::string truth_comment(Settled& settled) {
@@ -206,11 +223,11 @@ std::string pasted_test(const Case& question, std::string_view why, PastedAs as,
   const Truth truth = oracle::truth(question, oracle::bits_for(format));
   Settled settled(question, truth);
   const std::string line = case_line(question);
-  const std::string called = fmt::format("{}_{:08x}", name(question.shape), number_of(line));
+  const std::string test = fmt::format("{}_{:08x}", name(question.shape), number_of(line));
   std::string text = preamble(question, as, in) + fmt::format("/* {} */\n", line);
   if (!why.empty() && why.find("*/") == why.npos) text += fmt::format("/* {} */\n", why);
   text += fmt::format("/* The exact truth: {}. */\n", truth_comment(settled));
-  text += head(called, as) + asked(question, in);
+  text += head(test, as) + asked(question, in);
   return text + checks(expectation(settled, format, convention, in), as) + "}\n";
 }
 

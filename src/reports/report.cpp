@@ -12,6 +12,8 @@ constexpr std::string_view page_about =
 constexpr ReportOf<Run> of_audits[] = {
     {"table", "for people: what is wrong of each subject, and the findings, worst first",
      write_table},
+    {"libraries", "for people: libraries, as --libraries audits them, beside the textbook",
+     write_library_table},
     {"json", "for programs: everything, with the worst case of each kind", write_json},
     {"csv", "for spreadsheets: a row for each subject, shape and family", write_csv},
     {"html", page_about, write_html, require_page},

@@ -9,6 +9,7 @@
 #include "audit/cost.hpp"
 #include "audit/environment.hpp"
 #include "audit/ladder.hpp"
+#include "audit/library_times.hpp"
 #include "reports/breach.hpp"
 
 namespace rayaudit {
@@ -22,6 +23,8 @@ struct Run {
   Environment environment;
   std::string command = {};  ///< as it was typed, where it was
   FailOn fail_on = {};       ///< what fails it besides bounds
+  /// Of a run that is held beside the textbook; not the same from run to run.
+  std::vector<TimeBeside> times = {};
 };
 
 /// A measurement that is over: what every way to answer costs.
@@ -50,6 +53,7 @@ struct Look {
 };
 
 std::string write_table(const Run& run, const Look& look);
+std::string write_library_table(const Run& run, const Look& look);
 std::string write_json(const Run& run, const Look& look);
 std::string write_csv(const Run& run, const Look& look);
 std::string write_cost_table(const CostRun& run, const Look& look);

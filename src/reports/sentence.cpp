@@ -30,7 +30,7 @@ std::string_view sentence(Claim claim) {
     case Claim::none:
       return "";
     case Claim::no_root:
-      return ", nor anywhere near on the line";
+      return ", and the line does not meet it there";
     case Claim::nan:
       return ": t is NaN";
     case Claim::infinite:

@@ -67,17 +67,24 @@ Json list(const List& of) {
 /// until it is told.
 Json settings(const Plan& plan, const std::string& version) {
   const auto& [subjects, families, shapes, cases, seed, difficulty, convention, bounds, thorough,
-               drawn_in, causes, threads, replay_of, shard, shards] = plan;
+               drawn_in, causes, beside_textbook, threads, replay_of, shard, shards] = plan;
   Json of_subjects = Json::array(), of_families = Json::array(), of_shapes = Json::array();
   for (const Subject* subject : subjects) of_subjects.push_back(told(*subject));
   for (const Family* family : families) of_families.push_back(family->id);
   for (const std::size_t shape : shapes) of_shapes.push_back(shape_names[shape]);
-  return {{"version", version},      {"seed", seed},
-          {"cases", cases},          {"difficulty", written(difficulty)},
-          {"shards", shards},        {"thorough", thorough},
-          {"causes", causes},        {"drawn_in", drawn_in ? Json(drawn_in->name) : Json(nullptr)},
-          {"subjects", of_subjects}, {"families", of_families},
-          {"shapes", of_shapes},     {"convention", written(convention)},
+  return {{"version", version},
+          {"seed", seed},
+          {"cases", cases},
+          {"difficulty", written(difficulty)},
+          {"shards", shards},
+          {"thorough", thorough},
+          {"causes", causes},
+          {"beside_textbook", beside_textbook},
+          {"drawn_in", drawn_in ? Json(drawn_in->name) : Json(nullptr)},
+          {"subjects", of_subjects},
+          {"families", of_families},
+          {"shapes", of_shapes},
+          {"convention", written(convention)},
           {"bounds", list(bounds)}};
 }
 
@@ -123,6 +130,7 @@ Plan read_plan(const Json& from, const SubjectNamed& subject_named) {
   for (const Json& each : from.at("bounds")) plan.bounds.push_back(read_bound(each));
   plan.thorough = from.at("thorough");
   plan.causes = from.at("causes");
+  plan.beside_textbook = from.at("beside_textbook");
   constexpr std::array formats = {float_format, double_format};
   if (const Json& format = from.at("drawn_in"); !format.is_null())
     plan.drawn_in =

@@ -236,7 +236,8 @@ std::string holding(const Run& run, const Ink& ink) {
     for (const std::size_t shape : run.plan.shapes) {
       const auto [held, of] = routine.on(shape);
       const std::string told = fmt::format("{} {}/{}", shape_names[shape], held, of);
-      text += fmt::format("{:<16}", of > 0 ? told : "");
+      const std::size_t width = std::max<std::size_t>(16, shape_names[shape].size() + 7);
+      text += fmt::format("{:<{}}", of > 0 ? told : "", width);
     }
     text.erase(text.find_last_not_of(' ') + 1);
     text += '\n';
@@ -292,8 +293,8 @@ std::string summary(const Run& run, const Ink& ink) {
     holding += tally.wrong() == 0;
     valid +=
         tally.cases - tally.of(Verdict::invalid_handled) - tally.of(Verdict::invalid_mishandled);
-    by_exact += tally.by_exact;
-    decided += tally.by_interval + tally.by_exact;
+    by_exact += tally.of(oracle::Stage::exact);
+    decided += tally.decided();
   }
   const auto share = [](std::uint64_t part, std::uint64_t whole) {
     return part == 0 ? "0" : percent(part, whole);

@@ -69,11 +69,14 @@ std::string write_touches(const Run& run, const Ink& ink) {
                     [&](const Seen& each) { return offered(each.counts[kind]) > 0; }))
       kinds.push_back(kind);
   if (kinds.empty()) return "";
+  std::size_t shape_width = 9;
+  for (const Seen& each : all)
+    shape_width = std::max(shape_width, shape_names[each.shape].size() + 1);
   std::string text = ink.heading("Touches") +
                      ": a hit or a miss by convention, never counted as wrong; how many each "
                      "routine took for a hit\n(78.8-90.1%: the least and the most over its "
                      "numbers)\n" +
-                     std::string(28, ' ');
+                     std::string(2 + shape_width + 17, ' ');
   for (const std::size_t kind : kinds)
     text += fmt::format("{:<14}", name(static_cast<oracle::Kind>(kind)));
   text.erase(text.find_last_not_of(' ') + 1);
@@ -82,7 +85,8 @@ std::string write_touches(const Run& run, const Ink& ink) {
     const auto last = std::find_if(first, all.end(), [&](const Seen& each) {
       return each.shape != first->shape || each.routine() != first->routine();
     });
-    text += fmt::format("  {:<9}{:<17.16}", shape_names[first->shape], first->routine());
+    text +=
+        fmt::format("  {:<{}}{:<17.16}", shape_names[first->shape], shape_width, first->routine());
     for (const std::size_t kind : kinds) text += fmt::format("{:<14}", manner({first, last}, kind));
     text.erase(text.find_last_not_of(' ') + 1);
     text += '\n';

@@ -30,6 +30,11 @@ struct Nearby {
     from = from + start * direction;
   }
 
+  /// Where the ray now starts, as seen from another point of the shape's.
+  Vec3<N> from_point(const Ray<N>& ray, const Vec3<N>& point) const {
+    return ray.origin / length - point / length + start * direction;
+  }
+
   /// The t of the world.
   N home(const N& t) const { return unit * (start + t); }
 };

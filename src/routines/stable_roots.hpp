@@ -7,6 +7,12 @@
 
 namespace rayaudit {
 
+/// a t^2 + b t + c and its discriminant, which is told apart from the coefficients.
+template <class N>
+struct Quadratic {
+  N a, b, c, discriminant;
+};
+
 /// The roots of a t^2 + b t + c without cancellation: q = -(b + sign(b) sqrt(D)) / 2, then q/a and
 /// c/q (Press, Teukolsky, Vetterling & Flannery, "Numerical Recipes", sec. 5.6), with sign(0) = 1.
 /// Where a = 0 or q = 0 the root that would be divided by it is left out.
@@ -23,6 +29,11 @@ std::optional<Roots<N>> stable_roots(const N& a, const N& b, const N& c, const N
   if (a == N(0)) return Roots<N>{c / q, c / q};
   if (q == N(0)) return Roots<N>{q / a, q / a};
   return Roots<N>{q / a, c / q};
+}
+
+template <class N>
+std::optional<Roots<N>> stable_roots(const Quadratic<N>& of) {
+  return stable_roots(of.a, of.b, of.c, of.discriminant);
 }
 
 }  // namespace rayaudit

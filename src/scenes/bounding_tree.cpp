@@ -52,13 +52,13 @@ Box box(const Sphere<double>& sphere) {
   const double r = std::fabs(sphere.radius);
   return around(sphere.centre, {r, r, r});
 }
-Box box(const Cylinder<double>& cylinder) {
-  const Vec3<double> extent = disk_extent(cylinder.top - cylinder.base, cylinder.radius);
-  return both(around(cylinder.base, extent), around(cylinder.top, extent));
-}
-Box box(const Cone<double>& cone) {
-  const Vec3<double> extent = disk_extent(cone.apex - cone.base, cone.radius);
-  return both(around(cone.base, extent), around(cone.apex, {0, 0, 0}));
+/// Cylinder and cone, which caps make no larger.
+template <class S>
+Box box(const S& shape) {
+  const auto& [base, end, radius] = shape;
+  const Vec3<double> extent = disk_extent(end - base, radius);
+  const bool is_pointed = S::labels[1] == "apex";
+  return both(around(base, extent), around(end, is_pointed ? Vec3<double>{0, 0, 0} : extent));
 }
 
 constexpr std::array axes = {&Vec3<double>::x, &Vec3<double>::y, &Vec3<double>::z};

@@ -29,7 +29,7 @@ void each_truth(std::span<const Case> cases, const Format& format, const Visit& 
 struct LineRoots {
   static constexpr int none = -1;
 
-  std::array<double, oracle::Truth::most> t = {};
+  std::array<double, oracle::Truth::most_roots> t = {};
   int count = 0;
 
   /// The place of the root nearest to t.

@@ -113,10 +113,10 @@ struct Image {
                         radius_of(across * Wide{disk.radius}, "disk")};
   }
 
-  Shape operator()(const Cylinder<double>& cylinder) const {
-    return upright(cylinder, cylinder.top);
+  template <template <class> class S>
+  Shape operator()(const S<double>& shape) const {
+    return upright(shape, std::get<1>(shape.parts()));
   }
-  Shape operator()(const Cone<double>& cone) const { return upright(cone, cone.apex); }
 
   /// Between two ends on the axis.
   template <template <class> class S>

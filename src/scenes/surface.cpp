@@ -1,5 +1,7 @@
 #include "scenes/surface.hpp"
 
+#include <cmath>
+
 namespace rayaudit {
 namespace {
 
@@ -27,6 +29,29 @@ Vec3<N> normal_of(const Cone<N>& cone, const Vec3<N>& point) {
   const Vec3<N> w = cone.apex - cone.base, axis = unit(w);
   const Vec3<N> out = from_axis(cone.base, axis, point);
   return is_finite(out) ? unit(out + cone.radius / length(w) * axis) : axis;
+}
+
+/// Is a point of a closed shape rather on the plane square to the axis at its end, than beside it?
+template <class N>
+bool is_on_cap(const Vec3<N>& end, const Vec3<N>& axis, const Vec3<N>& point, const N& beside) {
+  using std::fabs;
+  return fabs(dot(point - end, axis)) < fabs(beside);
+}
+template <class N>
+Vec3<N> normal_of(const CappedCylinder<N>& cylinder, const Vec3<N>& point) {
+  const Vec3<N> axis = unit(cylinder.top - cylinder.base);
+  const N beside = length(cross(point - cylinder.base, axis)) - cylinder.radius;
+  if (is_on_cap(cylinder.base, axis, point, beside)) return -axis;
+  if (is_on_cap(cylinder.top, axis, point, beside)) return axis;
+  return normal_of(Cylinder<N>{cylinder.base, cylinder.top, cylinder.radius}, point);
+}
+template <class N>
+Vec3<N> normal_of(const CappedCone<N>& cone, const Vec3<N>& point) {
+  const Vec3<N> w = cone.apex - cone.base, axis = unit(w);
+  const N level = cone.radius * (N(1) - dot(point - cone.base, axis) / length(w));
+  if (is_on_cap(cone.base, axis, point, length(cross(point - cone.base, axis)) - level))
+    return -axis;
+  return normal_of(Cone<N>{cone.base, cone.apex, cone.radius}, point);
 }
 
 }  // namespace

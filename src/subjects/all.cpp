@@ -1,7 +1,6 @@
 #include <iterator>
 
 #include "subjects/exact.hpp"
-#include "subjects/libraries/libraries.hpp"
 #include "subjects/subject.hpp"
 #include "subjects/twins.hpp"
 #include "subjects/wide.hpp"
@@ -11,7 +10,7 @@ namespace rayaudit {
 const std::vector<Subject>& all_subjects() {
   static const std::vector<Subject> subjects = [] {
     std::vector<Subject> all = built_in_subjects();
-    for (auto* more : {wide_subjects, exact_subjects, twin_subjects, library_subjects}) {
+    for (auto* more : {wide_subjects, exact_subjects, twin_subjects}) {
       std::vector<Subject> named = more();
       for (Subject& each : named) each.by_name_only = true;
       std::move(named.begin(), named.end(), std::back_inserter(all));
@@ -23,8 +22,7 @@ const std::vector<Subject>& all_subjects() {
 
 std::vector<Absent> absent_subjects() {
   std::vector<Absent> absent = absent_wide_subjects();
-  for (auto* more : {absent_twins, absent_libraries})
-    for (const Absent& each : more()) absent.push_back(each);
+  for (const Absent& each : absent_twins()) absent.push_back(each);
   return absent;
 }
 

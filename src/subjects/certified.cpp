@@ -160,7 +160,9 @@ Subject certified() {
   return {"certified/" + std::string(format_of<N>.name),
           format_of<N>,
           {settle<Rounded<N>, Disk<double>, Answer>, settle<Rounded<N>, Sphere<double>, Answer>,
-           settle<Rounded<N>, Cylinder<double>, Answer>, settle<Rounded<N>, Cone<double>, Answer>}};
+           settle<Rounded<N>, Cylinder<double>, Answer>, settle<Rounded<N>, Cone<double>, Answer>,
+           settle<Rounded<N>, CappedCylinder<double>, Answer>,
+           settle<Rounded<N>, CappedCone<double>, Answer>}};
 }
 
 }  // namespace

@@ -7,9 +7,16 @@
 namespace rayaudit {
 namespace {
 
-std::string none_such(std::int32_t value, const std::string& towards, const std::string& word) {
+std::string none_such(std::int32_t value, const std::string& towards, const std::string& word,
+                      const char* known = "0, 1 or 2") {
   return "its convention has " + std::to_string(value) + " for " + towards + ", which is no " +
-         word + " (0, 1 or 2)";
+         word + " (" + known + ")";
+}
+
+/// One of three words, by its number.
+std::uint8_t word(const char* about, std::int32_t value, const char* kind) {
+  if (value < 0 || value > 2) throw Error(none_such(value, about, kind));
+  return static_cast<std::uint8_t>(value);
 }
 
 Convention::Stance stance(const char* towards, std::int32_t value) {
@@ -19,8 +26,8 @@ Convention::Stance stance(const char* towards, std::int32_t value) {
 }
 
 Convention::Inside inside(std::int32_t value) {
-  if (value < RAYAUDIT_INSIDE_IS_HIT || value > RAYAUDIT_INSIDE_IS_START)
-    throw Error(none_such(value, "inside", "rayaudit_inside"));
+  if (value < RAYAUDIT_INSIDE_IS_HIT || value > RAYAUDIT_INSIDE_IS_ANY)
+    throw Error(none_such(value, "inside", "rayaudit_inside", "0 to 3"));
   return Convention::Inside{static_cast<std::uint8_t>(value)};
 }
 
@@ -38,9 +45,13 @@ Convention from_flat(const rayaudit_convention& said) {
   made.inside = inside(said.inside);
   made.unit_direction = said.unit_direction != 0;
   made.line = said.line != 0;
-  if (said.t_min == 0 && said.t_max == 0) return made;
-  made.t_min = said.t_min, made.t_max = said.t_max;
-  if (!has_range(made)) throw Error("its convention has " + empty_range(made));
+  made.extent = Extent{word("extent", said.extent, "rayaudit_extent")};
+  made.stand = Convention::Stand{word("stand", said.stand, "rayaudit_stand")};
+  made.opening = Convention::Opening{word("opening", said.opening, "rayaudit_opening")};
+  made.segment = said.segment != 0;
+  if (said.t_min != 0 || said.t_max != 0) made.t_min = said.t_min, made.t_max = said.t_max;
+  if (const std::string wrong = contradiction(made); !wrong.empty())
+    throw Error("its convention has " + wrong);
   return made;
 }
 

@@ -17,6 +17,7 @@ static_assert(std::is_trivially_copyable_v<rayaudit_case> &&
 struct PluginSubject {
   char name[64];
   char format[16];
+  char about[160];  ///< or nothing
   rayaudit_convention convention;
   bool answers[shape_count];  ///< by shape
 };

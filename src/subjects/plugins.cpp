@@ -52,7 +52,7 @@ void require_word(const PluginSubject& subject) {
 void require_shape(const PluginSubject& subject) {
   if (std::none_of(std::begin(subject.answers), std::end(subject.answers),
                    [](bool answers) { return answers; }))
-    throw mistake(subject, "it answers no shape: disk, sphere, cylinder and cone are all null");
+    throw mistake(subject, "it answers no shape: disk, sphere, cylinder and all others are null");
 }
 
 /// A subject in a child of its own.
@@ -61,6 +61,7 @@ Subject subject_of(const PluginSubject& said, const fs::path& program, const fs:
   require_word(said);
   require_shape(said);
   Subject made = {std::string(said.name) + '/' + said.format, format_of_name(said), {}};
+  made.about = said.about;
   made.convention = convention_of(said);
   made.is_elsewhere = true;
   const auto child = std::make_shared<PluginChild>(program, plugin, patience);

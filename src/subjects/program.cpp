@@ -12,9 +12,11 @@
 
 #include "geometry/case_line.hpp"
 #include "geometry/error.hpp"
+#include "geometry/glob.hpp"
 #include "geometry/quotation.hpp"
 #include "subjects/answer_lines.hpp"
 #include "subjects/ending.hpp"
+#include "subjects/libraries/libraries.hpp"
 #include "subjects/program_run.hpp"
 
 namespace rayaudit {
@@ -31,8 +33,12 @@ constexpr int haste = 4;
 
 /// A case of each shape that no program should find hard.
 constexpr std::array<std::string_view, shape_count> easy_cases = {
-    "disk 0 0 0 0 0 1 1 ray 0.25 0.25 -3 0 0 1", "sphere 0 0 0 1 ray 0.25 0.25 -3 0 0 1",
-    "cylinder 0 0 0 0 1 0 1 ray 0.25 0.25 -3 0 0 1", "cone 0 0 0 0 1 0 1 ray 0.25 0.25 -3 0 0 1"};
+    "disk 0 0 0 0 0 1 1 ray 0.25 0.25 -3 0 0 1",
+    "sphere 0 0 0 1 ray 0.25 0.25 -3 0 0 1",
+    "cylinder 0 0 0 0 1 0 1 ray 0.25 0.25 -3 0 0 1",
+    "cone 0 0 0 0 1 0 1 ray 0.25 0.25 -3 0 0 1",
+    "capped_cylinder 0 0 0 0 1 0 1 ray 0.25 0.25 -3 0 0 1",
+    "capped_cone 0 0 0 0 1 0 1 ray 0.25 0.25 -3 0 0 1"};
 
 /// A run broke off before all answers were there.
 struct Broken {
@@ -198,11 +204,15 @@ std::string name_of(std::string_view command, const Format& format) {
   std::string word = take_word(command);
   while (is_assignment(word)) word = take_word(command);
   const std::string name = base_name(word) + '/' + std::string(format.name);
-  // By its name a routine of ours would be replayed for the program.
+  // By its name a routine of ours would be replayed for the program, or a library's be meant.
   const std::vector<Subject>& ours = all_subjects();
-  const bool is_ours = std::any_of(ours.begin(), ours.end(),
-                                   [&](const Subject& subject) { return subject.name == name; });
-  return is_ours ? "./" + name : name;
+  const bool is_taken =
+      std::any_of(ours.begin(), ours.end(),
+                  [&](const Subject& subject) { return subject.name == name; }) ||
+      std::any_of(libraries().begin(), libraries().end(), [&](const Library& library) {
+        return matches(std::string(library.subjects), name);
+      });
+  return is_taken ? "./" + name : name;
 }
 
 }  // namespace

@@ -138,7 +138,8 @@ std::span<const rayaudit_subject> subjects_of(const rayaudit_plugin& plugin) {
 }
 
 std::array<rayaudit_batch, shape_count> batches_of(const rayaudit_subject& subject) {
-  return {subject.disk, subject.sphere, subject.cylinder, subject.cone};
+  return {subject.disk, subject.sphere,          subject.cylinder,
+          subject.cone, subject.capped_cylinder, subject.capped_cone};
 }
 
 /// Copies a word of a plugin; what is that word, and of which subject, is told where it does not
@@ -157,6 +158,8 @@ PluginSubject told(const rayaudit_subject& subject, std::size_t place) {
   const std::string number = std::to_string(place + 1);
   copy(subject.name, made.name, "name of its subject " + number);
   copy(subject.format, made.format, "format of its subject " + number);
+  if (subject.about != nullptr)
+    copy(subject.about, made.about, "description of its subject " + number);
   made.convention = subject.convention;
   const auto batches = batches_of(subject);
   for (std::size_t shape = 0; shape < shape_count; ++shape)

@@ -46,6 +46,8 @@ struct Subject {
   /// Does it answer in a process of its own? It is then asked in order, from one thread, in batches
   /// of batch_elsewhere, and may answer that it crashed; what is found of it is asked again, alone.
   bool is_elsewhere = false;
+  /// What it is, as a plugin tells it: name and version of the library that answers, say.
+  std::string about = {};
   /// What a command line must have for it to be there, as `--plugin ./libmine.so`; or nothing.
   std::string brought_by = {};
   /// Of what is brought along: a digest of its plugin's bytes, or of its program's command.
@@ -76,7 +78,8 @@ Answer answer_one(const Subject& subject, const Case& question);
 /// Every routine in float, double and long double, and the certified ones.
 const std::vector<Subject>& built_in_subjects();
 
-/// Every subject there is: the built-in ones, then those that are asked for by name only.
+/// Every subject of the project: the built-in ones, then those that are asked for by name only. The
+/// libraries' are loaded when they are asked for (libraries/libraries.hpp).
 const std::vector<Subject>& all_subjects();
 
 /// Subjects that this build or this place does not have.

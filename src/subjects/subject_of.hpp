@@ -75,9 +75,10 @@ void prove_batch(std::span<const Case> cases, std::span<Proved> answers) {
   using Number = RunningBound<N>;
   const Routine routine;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    const auto& [ray, shape] = cases[i];
+    const Ray<double>& ray = cases[i].ray;
     Number::all_proved = true;
-    const auto answer = routine(in<Number>(in<N>(ray)), in<Number>(in<N>(std::get<S>(shape))));
+    const auto answer =
+        routine(in<Number>(in<N>(ray)), in<Number>(in<N>(std::get<S>(cases[i].shape))));
     answers[i] = proved<N>(answer, ray, Number::all_proved);
   }
 }

@@ -11,19 +11,6 @@
 namespace rayaudit {
 namespace {
 
-const rayaudit_disk& part(const rayaudit_case& question, const Disk<double>*) {
-  return question.is.disk;
-}
-const rayaudit_sphere& part(const rayaudit_case& question, const Sphere<double>*) {
-  return question.is.sphere;
-}
-const rayaudit_cylinder& part(const rayaudit_case& question, const Cylinder<double>*) {
-  return question.is.cylinder;
-}
-const rayaudit_cone& part(const rayaudit_case& question, const Cone<double>*) {
-  return question.is.cone;
-}
-
 /// Answers are misses before they are written.
 void write(rayaudit_answer& answer, bool met) {
   if (met) answer.form = RAYAUDIT_YES;
@@ -39,10 +26,12 @@ void write(rayaudit_answer& answer, const std::optional<Vec3<N>>& point) {
 
 template <class Routine, class N, std::size_t shape>
 void answer(const rayaudit_case* cases, std::size_t count, rayaudit_answer* answers) {
-  constexpr std::variant_alternative_t<shape, Shape>* kind = nullptr;
   const Routine routine;
-  for (std::size_t i = 0; i < count; ++i)
-    write(answers[i], routine(in<N>(cases[i].ray), in<N>(part(cases[i], kind))));
+  const auto each = [&]<template <class> class S>(const S<double>*) {
+    for (std::size_t i = 0; i < count; ++i)
+      write(answers[i], routine(in<N>(cases[i].ray), part<N, S>(cases[i])));
+  };
+  each(static_cast<std::variant_alternative_t<shape, Shape>*>(nullptr));
 }
 
 template <class Routine, class N, std::size_t shape>
@@ -55,7 +44,7 @@ constexpr rayaudit_batch batch_of() {
 
 template <class Routine, class N, std::size_t... shape>
 rayaudit_subject twin_of(const std::string& name, std::index_sequence<shape...>) {
-  return {name.c_str(), format_of<N>.name.data(), {}, batch_of<Routine, N, shape>()...};
+  return {name.c_str(), format_of<N>.name.data(), {}, batch_of<Routine, N, shape>()..., nullptr};
 }
 
 struct Twins {

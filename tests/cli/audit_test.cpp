@@ -32,6 +32,16 @@ BOOST_AUTO_TEST_CASE(any_number_of_threads_gives_the_same_bytes) {
   BOOST_TEST((run(audit + "3 --seed 2").out != one.out));
 }
 
+BOOST_AUTO_TEST_CASE(the_oracle_confirms_all_that_it_decides) {
+  const std::string audit = "rayaudit audit textbook/float textbook/double textbook/long_double ";
+  const auto checked = run(audit + "--cases 500 --oracle checked");
+  BOOST_TEST(checked.err == "");
+  BOOST_TEST((checked == run(audit + "--cases 500 --oracle plain")));
+  const auto mistaken = run(audit + "--oracle twice");
+  BOOST_TEST(mistaken.code == 2);
+  BOOST_TEST(mistaken.err == "rayaudit: --oracle: expected plain or checked, not twice\n");
+}
+
 BOOST_AUTO_TEST_CASE(globs_and_names_choose_what_is_audited) {
   const json report = report_of(
       "'*/float' textbook/double --shape 's*' --family grazing,anywhere --family inside "

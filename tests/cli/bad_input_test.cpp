@@ -81,6 +81,20 @@ BOOST_AUTO_TEST_CASE(an_incomplete_command_line_is_refused) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_convention_is_refused_where_it_has_no_such_word_or_contradicts_itself) {
+  const auto refuses = [](const std::string& convention, const std::string& sentence) {
+    const auto ended = run("rayaudit audit textbook/float --convention " + convention);
+    BOOST_TEST(ended.code == 2, ended);
+    BOOST_TEST(ended.err.starts_with("rayaudit: " + sentence), ended);
+  };
+  refuses("ray=segmnt", "kind of ray `segmnt` is not known; did you mean `segment`?");
+  refuses("extent=endless", "extent `endless` is not known");
+  refuses("stand=upright", "stand `upright` is not known; did you mean `upright_");
+  refuses("opening=tangent", "opening `tangent` is not known");
+  refuses("ray=segment,direction=unit", "--convention has a segment, whose direction is as long");
+  refuses("opening=angle", "--convention leaves, with what a subject declares itself, an opening");
+}
+
 BOOST_AUTO_TEST_CASE(a_convention_without_any_t_is_refused) {
   const std::pair<std::string, std::string> ranges[] = {{"t_min=3,t_max=2", "3 to 2"},
                                                         {"t_max=2,rim=hit,t_min=2", "2 to 2"},
@@ -95,7 +109,7 @@ BOOST_AUTO_TEST_CASE(a_family_that_does_not_draw_the_shape_draws_nothing) {
   BOOST_TEST(run("rayaudit draw --shape disk --family tangent --count 3") ==
              refused(2,
                      "family `tangent` does not draw the shape `disk`; it draws `sphere`, "
-                     "`cylinder`, `cone`"));
+                     "`cylinder`, `cone`, `capped_cylinder`, `capped_cone`"));
   BOOST_TEST(run("rayaudit draw --shape cone --family tangent --count 3 --difficulty 2") ==
              refused(2, "family `tangent` has no difficulty"));
 }

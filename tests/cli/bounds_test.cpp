@@ -160,14 +160,14 @@ BOOST_AUTO_TEST_CASE(where_nothing_is_held_the_exit_code_is_4) {
 
 BOOST_AUTO_TEST_CASE(what_is_written_holds_on_the_same_run) {
   const Folder folder;
-  const std::string audit = "rayaudit audit '*/float' 'closest_approach/*' --cases 300 --seed 3 ";
+  const std::string audit = "rayaudit audit '*/float' 'closest_approach/*' --cases 100 --seed 3 ";
   const auto written = folder.run(audit + "--report csv=/dev/null --write-bounds rows.txt");
   BOOST_TEST(written == shell::printed(""));
   const std::string rows = folder.text("rows.txt");
   BOOST_TEST(rows.starts_with("# What rayaudit "));
-  BOOST_TEST(contains(rows, " observed in 300 cases for each subject, shape and family, seed 3"));
+  BOOST_TEST(contains(rows, " observed in 100 cases for each subject, shape and family, seed 3"));
   BOOST_TEST(contains(rows,
-                      "\n#   rayaudit audit '*/float' 'closest_approach/*' --cases 300 --seed 3 "
+                      "\n#   rayaudit audit '*/float' 'closest_approach/*' --cases 100 --seed 3 "
                       "--report csv=/dev/null --write-bounds rows.txt\n"));
   BOOST_TEST(shell::line_count(rows) > 300);
   BOOST_TEST(!contains(rows, " proved\n"));

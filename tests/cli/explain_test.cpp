@@ -25,7 +25,7 @@ BOOST_AUTO_TEST_CASE(a_hit_is_told_as_a_closed_form_and_in_digits) {
       "sphere    centre (0, 0, 0)  radius 1\n"
       "ray       origin (0, 0.5, -3)  direction (0, 0, 1)  range (0, inf)\n"
       "why       half up\n"
-      "truth     a hit (decided by intervals)\n"
+      "truth     a hit (decided by numbers of two words)\n"
       "  hit            t = (6 - sqrt(3)) / 2\n"
       "                   = 2.133974596215561353236276829247063816529...\n"
       "                   nearest double 2.133974596215561 = 0x1.1126145e9ecd5p+1\n"
@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(touches_are_told_with_their_kind) {
 BOOST_AUTO_TEST_CASE(roots_that_are_no_answers_are_told_with_their_standing) {
   BOOST_TEST(
       contains(told("disk 0 0 0 0 1 0 1 ray 3 2 0 0 -1 0"),
-               "truth     a miss (decided by intervals)\n"
+               "truth     a miss (decided by numbers of two words)\n"
                "margin    4.2e6 u in float, 2.3e15 in double, 4.6e18 in long double: whether "
                "it lies inside the rim\n"
                "other roots, no answers:\n"
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_subject_is_followed_step_by_step_to_where_the_paths_part)
                       "\ncause     flip at routines/quadratic_formula.hpp:20\n"
                       "          if (discriminant < N(0)) return {};\n"
                       "textbook/float, step by step:\n"));
-  BOOST_TEST(contains(ended.out, "  routines/textbook.hpp:33  const N b = N(2) * dot(v, d);\n"));
+  BOOST_TEST(contains(ended.out, "  routines/textbook.hpp:31  const N b = N(2) * dot(v, d);\n"));
   const std::size_t parted = ended.out.find("<-- the paths part");
   BOOST_REQUIRE(parted != std::string::npos);
   const std::size_t begin = ended.out.rfind('\n', parted) + 1;

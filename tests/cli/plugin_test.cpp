@@ -235,11 +235,8 @@ BOOST_AUTO_TEST_CASE(a_name_that_no_plugin_brings_is_refused_with_the_nearest) {
 }
 
 BOOST_AUTO_TEST_CASE(subjects_of_a_plugin_are_listed_with_what_they_declare) {
-  const auto ended = run("rayaudit list subjects --plugin " + plugin("mine_cpp"));
-  BOOST_TEST(
-      ended.out.starts_with("mine/float                          disk                         "
-                            "rim=hit\n"),
-      ended);
+  const auto ended = run("rayaudit list subjects --plugin " + plugin("mine_cpp") + " | tr -s ' '");
+  BOOST_TEST(ended.out.starts_with("mine/float disk rim=hit\n"), ended);
   BOOST_TEST(contains(ended.out, "\ntextbook/float "));
 }
 

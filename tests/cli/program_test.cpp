@@ -22,7 +22,8 @@ BOOST_AUTO_TEST_CASE(a_program_that_knows_the_truth_has_no_finding_in_any_shape_
           "max_ulp=0.5");
   BOOST_TEST(ended.code == 0, ended);
   BOOST_TEST(contains(ended.out, "rayaudit/float"), ended);
-  for (const std::string shape : {"disk", "sphere", "cylinder", "cone"})
+  for (const std::string shape :
+       {"disk", "sphere", "cylinder", "cone", "capped_cylinder", "capped_cone"})
     BOOST_TEST(contains(ended.out, shape), ended);
 }
 

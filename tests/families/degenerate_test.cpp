@@ -22,6 +22,12 @@ ExactVec exact_axis(const Case& question) {
     ExactVec operator()(const Cone<double>& shape) const {
       return in<Exact>(shape.apex) - in<Exact>(shape.base);
     }
+    ExactVec operator()(const CappedCylinder<double>& shape) const {
+      return in<Exact>(shape.top) - in<Exact>(shape.base);
+    }
+    ExactVec operator()(const CappedCone<double>& shape) const {
+      return in<Exact>(shape.apex) - in<Exact>(shape.base);
+    }
   } of;
   return std::visit(of, question.shape);
 }
@@ -32,11 +38,15 @@ bool is_sphere(const Case& question) {
   return std::holds_alternative<Sphere<double>>(question.shape);
 }
 
+double radius_of(const Case& question) {
+  return std::visit([](const auto& shape) { return shape.radius; }, question.shape);
+}
+
 /// The coefficient of t^2 in the cone's field is |w|^2 |d x w|^2 - (r d.w)^2.
 bool is_along_generator(const Case& question) {
   const ExactVec d = in<Exact>(question.ray.direction), w = exact_axis(question);
   const ExactVec across = cross(d, w);
-  const Exact along = Exact(std::get<Cone<double>>(question.shape).radius) * dot(d, w);
+  const Exact along = Exact(radius_of(question)) * dot(d, w);
   return dot(w, w) * dot(across, across) == along * along;
 }
 bool is_square_to_axis(const Case& question) {
@@ -46,7 +56,39 @@ bool is_along_axis(const Case& question) {
   return is_zero(cross(in<Exact>(question.ray.direction), exact_axis(question)));
 }
 
+/// Does the line pass through the edge of a cap with the centre?
+bool is_through_edge(const Case& question, const ExactVec& centre) {
+  const ExactVec d = in<Exact>(question.ray.direction), w = exact_axis(question);
+  const ExactVec v = in<Exact>(question.ray.origin) - centre;
+  const Exact r = radius_of(question);
+  if (dot(d, w) == 0) return false;
+  const Exact t = -dot(v, w) / dot(d, w);
+  const ExactVec p = v + t * d;
+  return dot(p, p) == r * r;
+}
+bool is_in_plane(const Case& question, const ExactVec& centre) {
+  const ExactVec d = in<Exact>(question.ray.direction), w = exact_axis(question);
+  return dot(d, w) == 0 && dot(in<Exact>(question.ray.origin) - centre, w) == 0;
+}
+bool begins_on_cap(const Case& question, const ExactVec& centre) {
+  const Ray<double>& ray = question.ray;
+  const ExactVec from = in<Exact>(ray.origin) + Exact(ray.t_min) * in<Exact>(ray.direction);
+  const ExactVec p = from - centre;
+  const Exact r = radius_of(question);
+  return dot(p, exact_axis(question)) == 0 && dot(p, p) < r * r;
+}
+
+/// Does it hold for the centre of a cap?
+template <class H>
+bool at_cap(const Case& question, H&& holds) {
+  if (const auto* cone = std::get_if<CappedCone<double>>(&question.shape))
+    return holds(question, in<Exact>(cone->base));
+  const auto& cylinder = std::get<CappedCylinder<double>>(question.shape);
+  return holds(question, in<Exact>(cylinder.base)) || holds(question, in<Exact>(cylinder.top));
+}
+
 constexpr std::size_t disk = 0, cylinder = 2, cone = 3, few = 256;
+constexpr std::array<std::size_t, 2> closed_shapes = {4, 5};
 
 template <class H>
 void require_all(std::string_view id, std::size_t shape, H&& holds) {
@@ -112,4 +154,54 @@ BOOST_AUTO_TEST_CASE(rays_within_are_exactly_along_the_surface) {
   require_all("within", disk, is_square_to_axis);
   require_all("within", cylinder, is_along_axis);
   require_all("within", cone, is_along_generator);
+}
+
+BOOST_AUTO_TEST_CASE(rays_to_the_rim_of_a_closed_shape_pass_exactly_through_an_edge) {
+  for (const std::size_t shape : closed_shapes)
+    require_all("rim", shape,
+                [](const Case& question) { return at_cap(question, is_through_edge); });
+}
+
+BOOST_AUTO_TEST_CASE(a_quarter_of_them_come_from_inside) {
+  const auto begins_inside = [](const Case& question) {
+    const auto& shape = std::get<CappedCylinder<double>>(question.shape);
+    const ExactVec v = in<Exact>(question.ray.origin) - in<Exact>(shape.base);
+    const ExactVec w = exact_axis(question);
+    const ExactVec across = cross(v, w);
+    const Exact height = dot(v, w), r = shape.radius;
+    return 0 < height && height < dot(w, w) && dot(across, across) < r * r * dot(w, w);
+  };
+  const double inside =
+      share(drawn(family_of("rim"), closed_shapes[0], double_format), begins_inside);
+  BOOST_TEST(inside > 0.2);
+  BOOST_TEST(inside < 0.3);
+}
+
+BOOST_AUTO_TEST_CASE(half_of_what_has_to_do_with_surfaces_has_to_do_with_caps) {
+  const auto along_cap = [](const Case& question) { return at_cap(question, is_in_plane); };
+  const auto on_cap = [](const Case& question) { return at_cap(question, begins_on_cap); };
+  for (const std::size_t shape : closed_shapes)
+    for (const Format& format : {float_format, double_format}) {
+      const std::array shares = {
+          share(drawn(family_of("within"), shape, format), along_cap),
+          share(drawn(family_of("surface"), shape, format), on_cap),
+          share(drawn(family_of("parallel"), shape, format), is_square_to_axis)};
+      for (const double each : shares) {
+        BOOST_TEST(each > 0.4, shape_names[shape]);
+        BOOST_TEST(each < 0.6, shape_names[shape]);
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(some_rays_within_a_cap_run_along_its_edge) {
+  const auto along_edge = [](const Case& question) {
+    return at_cap(question, [](const Case& each, const ExactVec& centre) {
+      const ExactVec d = in<Exact>(each.ray.direction), v = in<Exact>(each.ray.origin) - centre;
+      const ExactVec across = cross(v, d);
+      const Exact r = radius_of(each);
+      return is_in_plane(each, centre) && dot(across, across) == r * r * dot(d, d);
+    });
+  };
+  for (const std::size_t shape : closed_shapes)
+    BOOST_TEST(share(drawn(family_of("within"), shape, float_format), along_edge) > 0.03);
 }

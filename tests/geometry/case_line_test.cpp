@@ -66,6 +66,41 @@ BOOST_AUTO_TEST_CASE(each_shape_is_read_in_the_order_of_its_parameters) {
               Case{along_ray, Cone<double>{{1, 2, 3}, {4, 5, 6}, 7}}));
 }
 
+BOOST_AUTO_TEST_CASE(an_extent_stands_after_the_numbers_of_a_shape_that_has_one) {
+  const auto extent_of = [](const std::string& shape) {
+    const Case question = read_case_line(shape + ray).question;
+    BOOST_TEST((read_case_line(case_line(question)).question == question), shape);
+    return question.extent;
+  };
+  BOOST_TEST((extent_of("disk 1 2 3 4 5 6 7 unbounded") == Extent::unbounded));
+  BOOST_TEST((extent_of("cylinder 1 2 3 4 5 6 7  unbounded") == Extent::unbounded));
+  BOOST_TEST((extent_of("cone 1 2 3 4 5 6 7 unbounded") == Extent::unbounded));
+  BOOST_TEST((extent_of("cone 1 2 3 4 5 6 7 both_nappes") == Extent::both_nappes));
+  BOOST_TEST((extent_of("cone 1 2 3 4 5 6 7") == Extent::bounded));
+  BOOST_TEST(
+      case_line(read_case_line("cone 1 2 3 4 5 6 0.5 both_nappes" + ray).question)
+          .ends_with(" 0x1p-1 both_nappes ray 0x0p+0 0x0p+0 0x1.4p+2 0x0p+0 0x0p+0 -0x1p+0"));
+  // Of a closed shape there is none to write.
+  Case closed = read_case_line("capped_cone 1 2 3 4 5 6 7" + ray).question;
+  closed.extent = Extent::unbounded;
+  BOOST_TEST(case_line(closed).find("unbounded") == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(an_extent_that_is_none_is_refused) {
+  BOOST_TEST(refusal("sphere 1 2 3 4 unbounded" + ray) ==
+             "expected `ray` after the sphere's 4 numbers, got `unbounded`");
+  BOOST_TEST(refusal("capped_cone 1 2 3 4 5 6 7 both_nappes" + ray) ==
+             "expected `ray` after the capped_cone's 7 numbers, got `both_nappes`");
+  BOOST_TEST(refusal("disk 1 2 3 4 5 6 7 unbounded 8" + ray) ==
+             "expected `ray` after `unbounded`, got `8`");
+  BOOST_TEST(refusal("cone 1 2 3 4 5 6 7 both_nappes unbounded" + ray) ==
+             "expected `ray` after `both_nappes`, got `unbounded`");
+  BOOST_TEST(refusal("cone 1 2 3 4 5 6 7 bounded" + ray) ==
+             "expected `ray` after the cone's 7 numbers, got `bounded`");
+  BOOST_TEST(refusal("cone 1 2 3 4 5 6 7 unbounded") ==
+             "expected `ray` after `unbounded`, got the end of the line");
+}
+
 BOOST_AUTO_TEST_CASE(range_answer_and_comment_are_each_optional) {
   const CaseLine bare = read_case_line("sphere 0 0 0 1" + ray);
   BOOST_TEST(bare.question.ray.t_min == 0);

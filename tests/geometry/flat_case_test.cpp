@@ -25,7 +25,11 @@ BOOST_AUTO_TEST_CASE(a_case_of_each_shape_comes_back_as_it_was) {
   for (const std::string line :
        {"disk 1 2 3 4 5 6 7 ray 8 9 10 11 12 13", "sphere 1 2 3 4 ray 8 9 10 11 12 13",
         "cylinder 1 2 3 4 5 6 7 ray 8 9 10 11 12 13 range -2 7",
-        "cone 1 2 3 4 5 6 7 ray 8 9 10 11 12 13 range -inf inf"}) {
+        "cone 1 2 3 4 5 6 7 ray 8 9 10 11 12 13 range -inf inf",
+        "cone 1 2 3 4 5 6 7 both_nappes ray 8 9 10 11 12 13",
+        "disk 1 2 3 4 5 6 7 unbounded ray 8 9 10 11 12 13",
+        "capped_cylinder 1 2 3 4 5 6 7 ray 8 9 10 11 12 13",
+        "capped_cone 1 2 3 4 5 6 7 ray 8 9 10 11 12 13"}) {
     const Case question = read_case_line(line).question;
     BOOST_TEST((from_flat(flat(question)) == question), line);
   }

@@ -205,6 +205,7 @@ void each_run(std::size_t of_each, V&& visit) {
     };
     on(Disk<double>(), 0), on(Sphere<double>(), 1);
     on(Cylinder<double>(), 2), on(Cone<double>(), 3);
+    on(CappedCylinder<double>(), 4), on(CappedCone<double>(), 5);
   };
   std::apply([&](const auto&... routine) { (with(routine), ...); }, Routines());
 }
@@ -278,6 +279,17 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(bounds_hold_where_numbers_underflow, N, Numbers) {
     require_quotient(a, drawer.operand(-3, 60, 3));
     require_quotient(half, drawer.operand(tiny / 2 - 20, tiny / 2 + 20, 3));
     require_root(drawer.positive(tiny, tiny + 200, 3));
+  }
+}
+
+/// The bound of what is divided is far below the numbers themselves; brought to a scale where it
+/// underflows, it would be gone.
+BOOST_AUTO_TEST_CASE(a_tiny_bound_divided_by_a_small_number_is_not_lost) {
+  const double off = 0x1p-1060;
+  for (const double divisor : {0x1p-370, 0x1.8p-500, -0x1p-19, 0x1p-1000, 0x1p200}) {
+    const WideBound a(DoubleDouble(0x1p-1027), 0, off), b{DoubleDouble(divisor)};
+    const WideBound quotient = a / b;
+    BOOST_TEST(quotient.most >= off / std::fabs(divisor), divisor);
   }
 }
 

@@ -11,6 +11,7 @@ using oracle::Truth;
 namespace {
 
 constexpr std::size_t disk = 0, sphere = 1, cylinder = 2, cone = 3;
+constexpr std::size_t capped_cylinder = 4, capped_cone = 5;
 
 bool begins_with(const Truth& truth, Kind kind) {
   return truth.count > 0 && truth.listed[0].kind == kind;
@@ -58,7 +59,7 @@ BOOST_AUTO_TEST_CASE(invalid_cases_come_in_every_way_that_the_shape_has) {
 }
 
 BOOST_AUTO_TEST_CASE(every_tangent_case_is_a_tangent) {
-  for (const auto shape : {sphere, cylinder, cone})
+  for (const auto shape : {sphere, cylinder, cone, capped_cylinder, capped_cone})
     require_truths("tangent", shape,
                    [](const Truth& truth) { return is_touch(truth, Kind::tangent); });
 }
@@ -68,13 +69,32 @@ BOOST_AUTO_TEST_CASE(every_rim_case_touches_the_rim_first) {
     require_truths("rim", shape, [](const Truth& truth) { return begins_with(truth, Kind::rim); });
 }
 
+BOOST_AUTO_TEST_CASE(half_of_the_rays_through_an_edge_cross_there_and_half_graze_it) {
+  const auto crosses = [](const Truth& truth) { return is_touch(truth, Kind::proper); };
+  const auto grazes = [](const Truth& truth) { return is_touch(truth, Kind::rim); };
+  for (const auto shape : {capped_cylinder, capped_cone}) {
+    require_truths("rim", shape,
+                   [&](const Truth& truth) { return crosses(truth) || grazes(truth); });
+    for (const Format& format : {float_format, double_format}) {
+      const double grazing = share_of_truths(family_of("rim"), shape, format, grazes);
+      BOOST_TEST(grazing > 0.4);
+      BOOST_TEST(grazing < 0.6);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(every_apex_case_touches_the_apex_or_passes_properly) {
   const auto touches = [](const Truth& truth) { return is_touch(truth, Kind::apex); };
   const auto passes = [](const Truth& truth) { return is_touch(truth, Kind::proper); };
   require_truths("apex", cone, [&](const Truth& truth) { return touches(truth) || passes(truth); });
-  const double touching = share_of_truths(family_of("apex"), cone, float_format, touches);
-  BOOST_TEST(touching > 0.6);
-  BOOST_TEST(touching < 0.9);
+  require_truths("apex", capped_cone, [&](const Truth& truth) {
+    return touches(truth) || begins_with(truth, Kind::proper);
+  });
+  for (const auto shape : {cone, capped_cone}) {
+    const double touching = share_of_truths(family_of("apex"), shape, float_format, touches);
+    BOOST_TEST(touching > 0.6);
+    BOOST_TEST(touching < 0.9);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(parallel_rays_miss_disk_and_cylinder_and_never_touch_the_cone_twice) {
@@ -83,8 +103,18 @@ BOOST_AUTO_TEST_CASE(parallel_rays_miss_disk_and_cylinder_and_never_touch_the_co
   require_truths("parallel", cone, [](const Truth& truth) { return truth.count <= 1; });
 }
 
+BOOST_AUTO_TEST_CASE(a_ray_parallel_to_a_cap_or_the_axis_hardly_ever_touches_a_closed_cylinder) {
+  const auto touches = [](const Truth& truth) {
+    return !is_miss(truth) && !begins_with(truth, Kind::proper);
+  };
+  for (const Format& format : {float_format, double_format}) {
+    BOOST_TEST(share_of_truths(family_of("parallel"), capped_cylinder, format, touches) < 0.1);
+    BOOST_TEST(share_of_truths(family_of("parallel"), capped_cylinder, format, is_hit) > 0.25);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(every_case_within_is_within_or_a_miss) {
-  for (const auto shape : {disk, cylinder, cone}) {
+  for (const auto shape : {disk, cylinder, cone, capped_cylinder, capped_cone}) {
     const auto within = [](const Truth& truth) { return is_touch(truth, Kind::within); };
     require_truths("within", shape,
                    [&](const Truth& truth) { return within(truth) || is_miss(truth); });
@@ -109,8 +139,9 @@ BOOST_AUTO_TEST_CASE(every_case_behind_is_a_miss_that_hits_when_turned_round) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(every_ray_from_inside_a_sphere_hits_it) {
-  require_truths("inside", sphere, is_hit);
+BOOST_AUTO_TEST_CASE(every_ray_from_inside_a_closed_shape_hits_it) {
+  for (const auto shape : {sphere, capped_cylinder, capped_cone})
+    require_truths("inside", shape, is_hit);
 }
 
 BOOST_AUTO_TEST_CASE(every_ray_that_grazes_a_sphere_from_inside_its_radius_hits_it) {

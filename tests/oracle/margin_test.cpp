@@ -24,7 +24,24 @@ template <class H>
 void each_case(std::size_t count, const Format& only, H&& holds) {
   each_drawing([&](const Family& family, std::size_t shape, const Format& format) {
     if (family.id == "invalid" || format != only) return;
-    require_each(family, shape, format, drawn(family, shape, format, {}, 9, count), holds);
+    std::vector<Case> cases = drawn(family, shape, format, {}, 9, count);
+    require_each(family, shape, format, cases, holds);
+    if (shape != 2 && shape != 3) return;
+    for (Case& question : cases) question.shape = closed(question.shape);
+    require_each(family, shape, format, cases, holds);
+  });
+}
+
+/// The same of cases whose surface has no end.
+template <class H>
+void each_endless_case(std::size_t count, const Format& only, H&& holds) {
+  each_drawing([&](const Family& family, std::size_t shape, const Format& format) {
+    if (family.id == "invalid" || format != only || shape == 1 || shape > 3) return;
+    std::vector<Case> cases = drawn(family, shape, format, {}, 9, count);
+    for (const Extent extent : {Extent::unbounded, Extent::both_nappes}) {
+      for (Case& question : cases) question.extent = extent;
+      require_each(family, shape, format, cases, holds);
+    }
   });
 }
 
@@ -36,8 +53,10 @@ Margin margin_of(const Case& question) { return oracle::margin(question, oracle:
 Margin margin_of(const char* line) { return margin_of(read_case_line(line).question); }
 
 void require_margin(const std::string& line, double reach, Sign sign, int side = 0,
-                    int together = 1) {
-  const Margin margin = margin_of(line.c_str());
+                    int together = 1, Extent extent = Extent::bounded) {
+  Case question = read_case_line(line).question;
+  question.extent = extent;
+  const Margin margin = margin_of(question);
   BOOST_TEST_CONTEXT(line << ": " << margin.reach) {
     BOOST_TEST(alike(margin.reach, reach, 0.01));
     BOOST_TEST(name(margin.sign) == name(sign));
@@ -118,13 +137,57 @@ BOOST_AUTO_TEST_CASE(a_ray_in_the_surface_that_misses_is_as_far_as_its_range_fro
                  Sign::start);
 }
 
+BOOST_AUTO_TEST_CASE(a_closed_shape_is_lost_where_no_stretch_of_it_is_left) {
+  const std::string can = "capped_cylinder 0 0 0 0 0 2 1 ray ";
+  // Through both caps, 2^-20 from the edge: 1 - x^2, by the x of origin and direction, 4 and 6
+  // away: 8 and 12, by r: 2. The side of the other cap it is that goes last.
+  BOOST_TEST(margin_of((can + "0x1.ffffep-1 0 -4 0 0 1").c_str()).reach > 0x1p-26);
+  BOOST_TEST(margin_of((can + "0x1.ffffep-1 0 -4 0 0 1").c_str()).reach < 0x1p-21);
+  BOOST_TEST(margin_of((can + "0x1.00001p+0 0 -4 0 0 1").c_str()).reach > 0x1p-26);
+  BOOST_TEST(margin_of((can + "0x1.00001p+0 0 -4 0 0 1").c_str()).reach < 0x1p-21);
+  // From the lateral surface to a cap, which changes no truth.
+  BOOST_TEST(margin_of((can + "-2 0 0x1.800001p+1 1 0 -1").c_str()).reach > 0.05);
+  BOOST_TEST(margin_of((can + "-2 0 0x1.7fffffp+1 1 0 -1").c_str()).reach > 0.05);
+  // By an edge, from outside: the height below the top at x = -1, as for the open one.
+  const Margin edge = margin_of((can + "-2 0 0x1.000001p+0 1 0 1").c_str());
+  BOOST_TEST(edge.reach < 0x1p-22);
+  BOOST_TEST(edge.reach > 0x1p-29);
+  BOOST_TEST(name(edge.sign) == name(Sign::side));
+  // Along a cap: below it until both ends of the stretch are above, above it until one is below. At
+  // the near end the direction counts 3, at the far one 5.
+  require_margin(can + "-4 0 0x1.ffffep+0 1 0 0", 0x1p-19 / 10, Sign::side, 1, 2);
+  require_margin(can + "-4 0 0x1.00001p+1 1 0 0", 0x1p-19 / 12, Sign::side, 1);
+  // t = 2 at the top, by the z of origin, direction and top: 4, 2, 2, and 2 for the end itself.
+  require_margin(can + "0 0 4 0 0 -1 range 0x1.ffffep+0 inf", 0x1p-19 / 10, Sign::start);
+  require_margin(can + "0 0 4 0 0 -1 range 0x1.00001p+1 inf", 0x1p-19 / 10, Sign::start);
+  require_margin(can + "0 0 4 0 0 -1 range 0 0x1.00001p+1", 0x1p-19 / 10, Sign::end);
+  require_margin(can + "0 0 4 0 0 -1 range 0 0x1.ffffep+0", 0x1p-19 / 10, Sign::end);
+}
+
+BOOST_AUTO_TEST_CASE(an_endless_surface_is_lost_where_the_line_is_parallel_to_it) {
+  const auto endless = [](const std::string& line, double reach, Sign sign) {
+    require_margin(line, reach, sign, 0, 1, Extent::unbounded);
+  };
+  // The tilt of the direction against the normal: 2^-20, by its own share 1 and that of the
+  // normal 1.
+  endless("disk 0 0 0 0 0 1 1 ray 0 0 4 1 0 -0x1p-20", 0x1p-20 / 2, Sign::discriminant);
+  endless("disk 0 0 0 0 0 1 1 ray 0 0 4 1 0 0x1p-20", 0x1p-20 / 2, Sign::discriminant);
+  // Beyond the rim there is nothing to lose.
+  BOOST_TEST(margin_of("disk 0 0 0 0 0 1 1 ray 0x1.00001p+0 0 -4 0 0 1").reach < 0x1p-20);
+  Case question = read_case_line("disk 0 0 0 0 0 1 1 ray 0x1.00001p+0 0 -4 0 0 1").question;
+  question.extent = Extent::unbounded;
+  BOOST_TEST(margin_of(question).reach > 0.05);
+}
+
 BOOST_AUTO_TEST_CASE(a_touch_has_no_margin_and_all_else_has_some) {
-  each_case(100, float_format, [](const Case& question) {
+  const auto holds = [](const Case& question) {
     const Truth truth = oracle::truth(question);
     const Margin margin = oracle::margin(question, truth);
     return truth.has_touch() ? margin.reach == 0 && margin.sign == Sign::touch
                              : margin.reach > 0 && margin.sign != Sign::touch;
-  });
+  };
+  each_case(100, float_format, holds);
+  each_endless_case(100, float_format, holds);
 }
 
 BOOST_AUTO_TEST_CASE(double_word_and_exact_numbers_tell_the_same_to_two_digits) {
@@ -219,6 +282,11 @@ Wide side(const Cone<Wide>& s, const Vec3<Wide>& p, int i) {
   return height(p, s.base, s.apex, i == 1);
 }
 
+template <class S>
+Wide side(const S& s, const Vec3<Wide>& p, int i) {
+  return side(opened(s), p, i);
+}
+
 /// The roots of a restriction in order, the tangent point where there is none.
 Wide root(const Restriction<Wide>& f, int i) {
   const Wide b = 2 * f.half_b;
@@ -258,10 +326,19 @@ struct Moving {
   Wide sign() const {
     const Restriction<Wide> f = restriction(shape, ray.origin, ray.direction);
     if (margin.sign == Sign::discriminant) return 4 * (f.half_b * f.half_b - f.a * f.c);
-    const Wide t = root(f, margin.root);
+    const Restriction<Wide> own = restriction_of_patch();
+    const Wide t = root(own, margin.patch > 0 ? 0 : margin.root);
     if (margin.sign == Sign::start) return t - ray.t_min;
     if (margin.sign == Sign::end) return ray.t_max - t;
+    if (margin.patch > 0) return -(f.c + t * (2 * f.half_b + t * f.a));
     return side(shape, ray.origin + t * ray.direction, margin.side);
+  }
+
+  Restriction<Wide> restriction_of_patch() const {
+    if constexpr (S::labels.size() == 3 && S::kinds[1] == Part::point)
+      if (margin.patch > 0)
+        return restriction_to_cap(shape, margin.patch - 1, ray.origin, ray.direction);
+    return restriction(shape, ray.origin, ray.direction);
   }
 
   /// How fast the sign moves with each number's share, by central differences.
@@ -317,6 +394,10 @@ double smallest_length(const Cylinder<double>& s) {
 }
 double smallest_length(const Cone<double>& s) {
   return std::min(s.radius, length(s.apex - s.base));
+}
+template <class S>
+double smallest_length(const S& s) {
+  return smallest_length(opened(s));
 }
 
 /// A case and the way in which its numbers move at its margin.

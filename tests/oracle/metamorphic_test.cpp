@@ -4,6 +4,7 @@
 
 #include "oracle/truth.hpp"
 #include "tests/families/drawn.hpp"
+#include "tests/oracle/closed.hpp"
 #include "tests/oracle/dyadic.hpp"
 
 using namespace rayaudit;
@@ -48,7 +49,7 @@ void require_followed(double least_share, T&& transformed,
   std::size_t asked = 0, imaged = 0;
   each_drawing([&](const Family& family, std::size_t shape, const Format& format) {
     if (family.id == "invalid" || (applies && !applies(family, shape))) return;
-    require_each(family, shape, format, drawn(family, shape, format, {}, 5, count),
+    require_each(family, shape, format, closed_too(drawn(family, shape, format, {}, 5, count)),
                  [&](const Case& question) {
                    const Truth truth = oracle::truth(question);
                    const Images images = transformed(question, engine);
@@ -197,8 +198,11 @@ BOOST_AUTO_TEST_CASE(the_ends_of_a_cylinder_are_alike) {
   require_followed(
       1,
       [](Case question, std::mt19937_64&) {
-        auto& cylinder = std::get<Cylinder<double>>(question.shape);
-        std::swap(cylinder.base, cylinder.top);
+        const auto swap_ends = [](auto& cylinder) { std::swap(cylinder.base, cylinder.top); };
+        if (auto* open = std::get_if<Cylinder<double>>(&question.shape))
+          swap_ends(*open);
+        else
+          swap_ends(std::get<CappedCylinder<double>>(question.shape));
         return Images{{question}};
       },
       is_cylinder);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/shapes.hpp"
+#include "tests/oracle/closed.hpp"
 
 namespace rayaudit {
 
@@ -44,6 +44,27 @@ Restriction<Wide> restriction(const Cone<Wide>& cone, const Vec3<Wide>& o, const
   const Wide ww = dot(w, w), h = ww - dot(v, w), dw = dot(d, w), rr = cone.radius * cone.radius;
   const auto [a, half_b, c] = about_axis(v, w, d);
   return {ww * a - rr * dw * dw, ww * half_b + rr * h * dw, ww * c - rr * h * h};
+}
+
+template <class Wide>
+Restriction<Wide> restriction(const CappedCylinder<Wide>& shape, const Vec3<Wide>& o,
+                              const Vec3<Wide>& d) {
+  return restriction(opened(shape), o, d);
+}
+template <class Wide>
+Restriction<Wide> restriction(const CappedCone<Wide>& shape, const Vec3<Wide>& o,
+                              const Vec3<Wide>& d) {
+  return restriction(opened(shape), o, d);
+}
+
+/// A cap's field, of degree 1: negative inside.
+template <class Wide, class S>
+Restriction<Wide> restriction_to_cap(const S& shape, int cap, const Vec3<Wide>& o,
+                                     const Vec3<Wide>& d) {
+  const auto& [base, end, radius] = shape;
+  const Vec3<Wide> w = end - base;
+  if (cap == 0) return {0, -dot(d, w) / 2, dot(base - o, w)};
+  return {0, dot(d, w) / 2, dot(o - end, w)};
 }
 
 }  // namespace rayaudit

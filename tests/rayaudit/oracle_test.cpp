@@ -154,6 +154,44 @@ BOOST_AUTO_TEST_CASE(a_case_is_posed_as_the_convention_has_it) {
              case_line(question_of("sphere 0 0 0 1 ray 0 0.5 -3 0 0 1 range 0 16")));
 }
 
+BOOST_AUTO_TEST_CASE(a_posed_case_has_the_form_that_is_declared_and_stays) {
+  Convention convention = {};
+  convention.extent = RAYAUDIT_UNBOUNDED, convention.stand = RAYAUDIT_UPRIGHT_Z;
+  convention.segment = 1;
+  const Case drawn = question_of("cylinder 1 2 3 5 2 3 0.5 ray 1 -6 3 0 1 0");
+  const Case made = posed(drawn, convention, Format::in_float);
+  BOOST_TEST(case_line(made) == case_line(question_of("cylinder 0 0 -2 0 0 2 0.5 unbounded "
+                                                      "ray -8 0 -2 32 0 0 range 0 1")));
+  BOOST_TEST(case_line(posed(made, convention, Format::in_float)) == case_line(made));
+  convention.stand = RAYAUDIT_ANYWHERE, convention.opening = RAYAUDIT_BY_ANGLE;
+  BOOST_CHECK_THROW(posed(drawn, convention), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(closed_and_endless_shapes_are_questions_too) {
+  const auto line_of = [](const auto&... shape) {
+    return case_line(question_of(ray({0, 0, -3}, {0, 0, 1}), shape...));
+  };
+  const auto is = [](const std::string& shape) {
+    return case_line(question_of(shape + " ray 0 0 -3 0 0 1"));
+  };
+  BOOST_TEST(line_of(capped_cylinder({1, 2, 3}, {4, 5, 6}, 7)) ==
+             is("capped_cylinder 1 2 3 4 5 6 7"));
+  BOOST_TEST(line_of(capped_cone({1, 2, 3}, {4, 5, 6}, 7)) == is("capped_cone 1 2 3 4 5 6 7"));
+  BOOST_TEST(line_of(cylinder({1, 2, 3}, {4, 5, 6}, 7)) == is("cylinder 1 2 3 4 5 6 7"));
+  BOOST_TEST(line_of(disk({1, 2, 3}, {4, 5, 6}, 7), Extent::unbounded) ==
+             is("disk 1 2 3 4 5 6 7 unbounded"));
+  BOOST_TEST(line_of(cylinder({1, 2, 3}, {4, 5, 6}, 7), Extent::unbounded) ==
+             is("cylinder 1 2 3 4 5 6 7 unbounded"));
+  BOOST_TEST(line_of(cone({1, 2, 3}, {4, 5, 6}, 7), Extent::both_nappes) ==
+             is("cone 1 2 3 4 5 6 7 both_nappes"));
+  const Case up =
+      question_of(ray({0, 0, -3}, {0, 0, 1}), capped_cylinder({0, 0, -1}, {0, 0, 1}, 1));
+  BOOST_TEST((truth(up).t() == 2));
+  const Case plane =
+      question_of(ray({9, 0, -3}, {0, 0, 1}), disk({0, 0, 0}, {0, 0, 1}, 1), Extent::unbounded);
+  BOOST_TEST((truth(plane).t() == 3));
+}
+
 BOOST_AUTO_TEST_CASE(agreement_is_not_being_wrong_within_the_ulps_allowed) {
   BOOST_TEST(!!agrees(half_up, hit(2.125f)));
   BOOST_TEST(!agrees(half_up, hit(2.125f), {1}));
@@ -253,8 +291,11 @@ BOOST_AUTO_TEST_CASE(what_there_is_not_is_refused) {
   rayaudit_truth known;
   rayaudit_judgement judgement;
   rayaudit_answer answer = rayaudit_miss();
-  question.shape = 4;
+  question.shape = 6;
   BOOST_TEST(rayaudit_truth_of(&question, &known) == RAYAUDIT_NONE_SUCH);
+  Case further = half_up;
+  further.extent = 3;
+  BOOST_TEST(rayaudit_truth_of(&further, &known) == RAYAUDIT_NONE_SUCH);
   BOOST_TEST(rayaudit_judge(&half_up, &answer, 3, nullptr, &judgement) == RAYAUDIT_NONE_SUCH);
   Convention convention = {};
   convention.rim = 3;

@@ -43,7 +43,7 @@ std::vector<Row> rows_of(const HandMade& made) { return parsed(write_csv(made.ru
 BOOST_AUTO_TEST_CASE(a_row_for_each_audit_has_a_field_for_each_column) {
   HandMade made;
   turn(made.add("textbook/float", 1, "grazing"), Verdict::false_miss, Claim::none, 7);
-  made.add(0, "far").by_exact = 40;
+  made.add(0, "far").decided_by = {1, 2, 3, 40};
   const auto rows = rows_of(made);
   BOOST_REQUIRE(rows.size() == 3);
   for (const Row& row : rows) BOOST_TEST(row.size() == rows[0].size());

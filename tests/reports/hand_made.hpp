@@ -33,7 +33,7 @@ struct HandMade {
     subjects.push_back({subject, float_format, {}});
     audits.push_back({&subjects.back(), &families.back(), shape, {}, {}});
     Tally& tally = audits.back().tally;
-    tally.cases = tally.by_interval = tally.verdicts[0] = 100;
+    tally.cases = tally.decided_by[2] = tally.verdicts[0] = 100;
     return tally;
   }
 
@@ -61,7 +61,7 @@ inline void turn(Tally& tally, Verdict verdict, Claim claim, std::uint64_t count
   tally.verdicts[static_cast<std::size_t>(verdict)] += count;
   const bool invalid =
       verdict == Verdict::invalid_handled || verdict == Verdict::invalid_mishandled;
-  if (invalid) tally.by_interval -= count;
+  if (invalid) tally.decided_by[2] -= count;
   const Judgement judgement = {.verdict = verdict, .claim = claim};
   Outcome& outcome = tally.outcome(verdict, claim);
   outcome.count += count;

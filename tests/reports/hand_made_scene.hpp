@@ -40,7 +40,7 @@ struct HandMadeScene {
   WaveAccount& add(Effect effect, int bounce, std::uint64_t rays) {
     WaveAccount& wave = picture.account.waves.emplace_back(WaveAccount{effect, bounce});
     wave.rays = wave.questions = rays;
-    wave.tally.cases = wave.tally.by_interval = wave.tally.verdicts[0] = rays;
+    wave.tally.cases = wave.tally.decided_by[2] = wave.tally.verdicts[0] = rays;
     return wave;
   }
 

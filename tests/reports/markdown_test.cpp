@@ -129,6 +129,7 @@ BOOST_AUTO_TEST_CASE(no_name_is_a_mark) {
   BOOST_TEST(markdown_text("a|b") == "a&#124;b");
   BOOST_TEST(markdown_text("*a*_b_c_d") == "&#42;a&#42;&#95;b_c_d");
   BOOST_TEST(markdown_text("<script>\n") == "&#60;script&#62;&#92;x0a");
+  BOOST_TEST(markdown_text("\"as it is\"") == "\"as it is\"");
   BOOST_TEST(markdown_text("stable_quadratic/float") == "stable_quadratic/float");
   HandMade made;
   turn(made.add("</details>|```\n````x", 1, "far"), Verdict::false_hit, Claim::nan, 3);
@@ -137,6 +138,9 @@ BOOST_AUTO_TEST_CASE(no_name_is_a_mark) {
 }
 
 BOOST_AUTO_TEST_CASE(code_is_fenced_by_more_backquotes_than_it_has) {
+  BOOST_TEST(code_span("<a>_b") == "`<a>_b`");
+  BOOST_TEST(code_span("of `dir`.\nEnd") == "``of `dir`. End``");
+  BOOST_TEST(code_span("`dir`") == "`` `dir` ``");
   BOOST_TEST(fenced("a\n") == "```\na\n```\n");
   BOOST_TEST(fenced("a ``` b ```` c\n") == "`````\na ``` b ```` c\n`````\n");
 }

@@ -31,6 +31,15 @@ inline const Lines from_outside = {
     "cone 0 0 0 0 1 0 1 ray -3 0.5 0 1 0 0 hit 2.5",
     "cone 0 0 0 0 2 0 2 ray -4 0.5 0 2 0 0 hit 1.25",
     "cone 0 0 0 2 0 0 1 ray 1 4 0 0 -1 0 hit 3.5",
+    "capped_cylinder 0 0 0 0 1 0 1 ray -3 0.5 0 2 0 0 hit 1",
+    "capped_cylinder 0 0 0 0 1 0 1 ray 0.5 3 0 0 -1 0 hit 2",
+    "capped_cylinder 0 0 0 0 1 0 1 ray 0.5 -3 0.25 0 2 0 hit 1.5",
+    "capped_cylinder 0 0 0 0 1 0 2 ray -3 3 0 1 -1 0 hit 2",
+    "capped_cylinder 0 0 0 0 4 0 1 ray -3 1 0 1 1 0 hit 2",
+    "capped_cone 0 0 0 0 1 0 1 ray -3 0.5 0 1 0 0 hit 2.5",
+    "capped_cone 0 0 0 0 1 0 1 ray 0.25 -3 0 0 1 0 hit 3",
+    "capped_cone 0 0 0 0 1 0 1 ray 0.25 5 0 0 -1 0 hit 4.25",
+    "capped_cone 0 0 0 0 4 0 2 ray -2 -2 0 2 4 0 hit 0.5",
 };
 
 inline const Lines passing_by = {
@@ -38,6 +47,10 @@ inline const Lines passing_by = {
     "sphere 0 0 0 1 ray -3 1.5 0 1 0 0 miss",
     "cylinder 0 0 0 0 1 0 1 ray -3 0.5 1.5 1 0 0 miss",
     "cone 0 0 0 0 1 0 1 ray -3 0.5 0.75 1 0 0 miss",
+    "capped_cylinder 0 0 0 0 1 0 1 ray -3 0.5 1.5 1 0 0 miss",
+    "capped_cylinder 0 0 0 0 1 0 1 ray 1.5 3 0 0 -1 0 miss",
+    "capped_cone 0 0 0 0 1 0 1 ray -3 0.5 0.75 1 0 0 miss",
+    "capped_cone 0 0 0 0 1 0 1 ray 1.5 -3 0 0 1 0 miss",
 };
 
 inline const Lines from_inside = {
@@ -47,6 +60,15 @@ inline const Lines from_inside = {
     "cylinder 0 0 0 0 1 0 4 ray 2 0.5 0 -1 0 0 hit 6",
     "cone 0 0 0 0 1 0 1 ray 0 0.5 0 1 0 0 hit 0.5",
     "cone 0 0 0 0 1 0 1 ray 0.25 0.5 0 -1 0 0 hit 0.75",
+    "capped_cylinder 0 0 0 0 1 0 1 ray 0 0.5 0 0 0 -1 hit 1",
+    "capped_cylinder 0 0 0 0 1 0 1 ray 0.5 0.25 0 0 1 0 hit 0.75",
+    "capped_cylinder 0 0 0 0 1 0 1 ray 0.5 0.25 0 0 -1 0 hit 0.25",
+    "capped_cylinder 0 0 0 0 1 0 1 ray 0 0.5 0 1 1 0 hit 0.5",
+    "capped_cone 0 0 0 0 1 0 1 ray 0 0.5 0 1 0 0 hit 0.5",
+    "capped_cone 0 0 0 0 1 0 1 ray 0.25 0.5 0 0 -1 0 hit 0.5",
+    "capped_cone 0 0 0 0 1 0 1 ray 0.25 0.5 0 0 1 0 hit 0.25",
+    "capped_cone 0 0 0 0 1 0 1 ray 0 0.5 0 1 -1 0 hit 0.5",
+    "capped_cone 0 0 0 0 1 0 1 ray 0 0.25 0 1 1 0 hit 0.375",
 };
 
 inline const Lines behind = {
@@ -54,6 +76,10 @@ inline const Lines behind = {
     "sphere 0 0 0 1 ray 3 0 0 1 0 0 miss",
     "cylinder 0 0 0 0 1 0 1 ray 3 0.5 0 1 0 0 miss",
     "cone 0 0 0 0 1 0 1 ray 3 0.5 0 1 0 0 miss",
+    "capped_cylinder 0 0 0 0 1 0 1 ray 3 0.5 0 1 0 0 miss",
+    "capped_cylinder 0 0 0 0 1 0 1 ray 0.5 3 0 0 1 0 miss",
+    "capped_cone 0 0 0 0 1 0 1 ray 3 0.5 0 1 0 0 miss",
+    "capped_cone 0 0 0 0 1 0 1 ray 0.25 -3 0 0 -1 0 miss",
 };
 
 inline const Lines clipped = {
@@ -65,6 +91,11 @@ inline const Lines clipped = {
     "cone 0 0 0 0 1 0 1 ray 0 -0.5 0 1 1 0 hit 0.75",
     "cone 0 0 0 0 1 0 1 ray 0.5 3 0 0 -1 0 range 2 8 hit 2.5",
     "cone 0 0 0 0 1 0 1 ray 1.5 3 0 0 -1 0 miss",
+    "capped_cylinder 0 0 0 0 1 0 1 ray -3 1.5 0 1 0 0 miss",
+    "capped_cylinder 0 0 0 0 1 0 1 ray -3 -0.5 0 1 0 0 miss",
+    "capped_cylinder 0 0 0 0 2 0 1 ray -3 -2.5 0 1 1 0 hit 2.5",
+    "capped_cone 0 0 0 0 1 0 1 ray -3 -0.5 0 1 0 0 miss",
+    "capped_cone 0 0 0 0 1 0 1 ray 0 -0.5 0 1 1 0 hit 0.5",
 };
 
 inline const Lines parallel = {
@@ -76,6 +107,10 @@ inline const Lines parallel = {
     "cone 0 0 0 0 1 0 1 ray -1 1 0 1 -1 0 hit 0.5",
     "cone 0 0 0 0 1 0 1 ray 0 0 0 1 1 0 hit 0.5",
     "cone 0 0 0 0 1 0 1 ray 0 1 0.5 1 -1 0 miss",
+    "capped_cylinder 0 0 0 0 1 0 1 ray 2 -1 0 0 1 0 miss",
+    "capped_cylinder 0 0 0 1 2 2 3 ray 1 0.5 -1 1 2 2 hit 1",
+    "capped_cone 0 0 0 0 1 0 1 ray -1 1 0 1 -1 0 hit 0.5",
+    "capped_cone 0 0 0 0 1 0 1 ray 0 1 0.5 1 -1 0 miss",
 };
 
 inline const Lines one_nappe = {
@@ -83,12 +118,18 @@ inline const Lines one_nappe = {
     "cone 0 0 0 0 1 0 1 ray 0.25 5 0 0 -1 0 hit 4.25",
     "cone 0 0 0 0 1 0 1 ray 0.25 -3 0 0 1 0 hit 3.75",
     "cone 0 0 0 0 1 0 1 ray 0.25 1 0 0 1 0 miss",
+    "capped_cone 0 0 0 0 1 0 1 ray -3 1.5 0 1 0 0 miss",
+    "capped_cone 0 0 0 0 1 0 1 ray 0.25 1 0 0 1 0 miss",
+    "capped_cone 0 0 0 0 1 0 1 ray 0 1.5 0 4 -1 0 miss",
 };
 
 inline const Lines through_the_apex = {
     "cone 0 0 0 0 1 0 1 ray 0 -1 0 0 1 0 hit 2",
     "cone 0 0 0 0 1 0 1 ray 0 3 0 0 -1 0 hit 2",
     "cone 0 0 0 0 1 0 1 ray -0.5 3 0 0.25 -1 0 hit 2",
+    "capped_cone 0 0 0 0 1 0 1 ray 0 0.5 0 0 1 0 hit 0.5",
+    "capped_cone 0 0 0 0 1 0 1 ray 0 3 0 0 -1 0 hit 2",
+    "capped_cone 0 0 0 0 1 0 1 ray -0.5 3 0 0.25 -1 0 hit 2",
 };
 
 inline const Lines in_a_range = {
@@ -106,11 +147,25 @@ inline const Lines in_a_range = {
     "cone 0 0 0 0 1 0 1 ray -3 0.5 0 1 0 0 range 2.75 8 hit 3.5",
     "cone 0 0 0 0 1 0 1 ray -3 0.5 0 1 0 0 range 2.5 3.5 miss",
     "cone 0 0 0 0 1 0 1 ray 0.25 5 0 0 -1 0 range 0 4 miss",
+    "capped_cylinder 0 0 0 0 1 0 1 ray 0 3 0 0 -1 0 range 2.5 8 hit 3",
+    "capped_cylinder 0 0 0 0 1 0 1 ray 0 3 0 0 -1 0 range 2 3 miss",
+    "capped_cone 0 0 0 0 1 0 1 ray 0.25 5 0 0 -1 0 range 4.5 8 hit 5",
+    "capped_cone 0 0 0 0 1 0 1 ray 0.25 5 0 0 -1 0 range 0 4 miss",
 };
 
-inline const std::vector<Lines> all_exact = {from_outside, passing_by,       from_inside,
-                                             behind,       clipped,          parallel,
-                                             one_nappe,    through_the_apex, in_a_range};
+/// Through an edge of a closed shape: from outside inwards, from inside outwards.
+inline const Lines edges = {
+    "capped_cylinder 0 0 0 0 1 0 1 ray -3 -2 0 2 2 0 hit 1",
+    "capped_cylinder 0 0 0 0 1 0 1 ray -2 2 0 1 -1 0 hit 1",
+    "capped_cylinder 0 0 0 0 1 0 1 ray 0 0.5 0 2 1 0 hit 0.5",
+    "capped_cylinder 0 0 0 0 1 0 1 ray 0 0.5 0 2 -1 0 hit 0.5",
+    "capped_cone 0 0 0 0 1 0 1 ray -3 -1 0 2 1 0 hit 1",
+    "capped_cone 0 0 0 0 1 0 1 ray 0 0.25 0 4 -1 0 hit 0.25",
+};
+
+inline const std::vector<Lines> all_exact = {
+    from_outside, passing_by, from_inside,      behind,     clipped,
+    parallel,     one_nappe,  through_the_apex, in_a_range, edges};
 
 /// The unit shapes seen from the frame (1,2,2), (2,1,-2), (2,-2,1), its lengths 3; and triples 3,
 /// 4, 5.
@@ -127,6 +182,10 @@ inline const Lines in_general_position = {
     "cone 0 0 0 2 1 -2 3 ray -2 -5.5 -7 1 2 2 hit 2.5",
     "cone 10 20 30 12 21 28 3 ray 8 14.5 23 1 2 2 hit 2.5",
     "cone 0 0 0 0 2 0 10 ray 3 1 0 0 0 1 hit 4",
+    "capped_cylinder 0 0 0 2 1 -2 3 ray 6.5 4 -5 -2 -1 2 hit 2",
+    "capped_cylinder 0 0 0 2 1 -2 3 ray -2 -5.5 -7 1 2 2 hit 2",
+    "capped_cone 0 0 0 2 1 -2 3 ray -5.5 -2 7 2 1 -2 hit 3",
+    "capped_cone 10 20 30 12 21 28 3 ray 8 14.5 23 1 2 2 hit 2.5",
 };
 
 /// Calls visit(ray, shape) in the number N where the routine answers the shape.

@@ -28,6 +28,7 @@ BOOST_AUTO_TEST_CASE(a_ray_through_the_apex_from_inside_hits) {
 BOOST_AUTO_TEST_CASE(the_range_is_open_at_both_ends) {
   known::answers<StableQuadratic>(known::in_a_range);
 }
+BOOST_AUTO_TEST_CASE(an_edge_lets_no_ray_through) { known::answers<StableQuadratic>(known::edges); }
 BOOST_AUTO_TEST_CASE(it_answers_in_general_position) {
   known::answers_in_general_position<StableQuadratic>();
 }

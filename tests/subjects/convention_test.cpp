@@ -8,6 +8,7 @@
 
 #include "geometry/case_line.hpp"
 #include "geometry/error.hpp"
+#include "rayaudit/case.h"
 #include "subjects/flat_convention.hpp"
 
 using namespace rayaudit;
@@ -119,6 +120,39 @@ BOOST_AUTO_TEST_CASE(ranges_that_do_not_meet_are_refused) {
   BOOST_TEST(beside(0, 5.5) == "it is taken");
 }
 
+BOOST_AUTO_TEST_CASE(what_either_says_of_stand_opening_extent_and_segment_holds) {
+  using Stand = Convention::Stand;
+  using Opening = Convention::Opening;
+  const Convention subject = {.extent = Extent::both_nappes,
+                              .stand = Stand::upright_z,
+                              .opening = Opening::cosine,
+                              .segment = true};
+  BOOST_TEST((joined({}, subject) == subject));
+  BOOST_TEST((joined({.opening = Opening::angle}, subject).opening == Opening::angle));
+  BOOST_TEST((joined({.stand = Stand::upright_y}, subject).stand == Stand::upright_y));
+  BOOST_TEST((joined({.extent = Extent::unbounded}, subject).extent == Extent::unbounded));
+  const Convention line = joined({.line = true}, subject);
+  BOOST_TEST(line.line);
+  BOOST_TEST(!line.segment);
+  for (const Convention& each :
+       {Convention{.extent = Extent::unbounded}, Convention{.stand = Stand::upright_y},
+        Convention{.segment = true}})
+    BOOST_TEST(poses(each));
+}
+
+BOOST_AUTO_TEST_CASE(what_contradicts_itself_together_is_refused) {
+  const std::string sentence = "--convention leaves, with what a subject declares itself, ";
+  const auto beside = [](const Convention& first, const Convention& second) {
+    return refusal([&] { joined(first, second); });
+  };
+  BOOST_TEST(beside({.opening = Convention::Opening::angle}, {}) ==
+             sentence + "an opening that is no radius, but no stand that is upright");
+  BOOST_TEST(beside({.unit_direction = true}, {.segment = true}) ==
+             sentence +
+                 "a segment, whose direction is as long as it is, with a direction of "
+                 "length 1");
+}
+
 BOOST_AUTO_TEST_CASE(each_word_in_plain_c_is_taken_for_its_own) {
   using oracle::Kind;
   using Stance = Convention::Stance;
@@ -138,16 +172,47 @@ BOOST_AUTO_TEST_CASE(each_word_in_plain_c_is_taken_for_its_own) {
   BOOST_TEST(
       (from_flat(said) ==
        Convention{.inside = Convention::Inside::start, .line = true, .t_min = -2, .t_max = 3}));
-  BOOST_TEST((from_flat({0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0}) == unit()));
+  said = {}, said.unit_direction = 1;
+  BOOST_TEST((from_flat(said) == unit()));
+}
+
+BOOST_AUTO_TEST_CASE(extent_stand_opening_and_segment_in_plain_c_are_taken_for_their_own) {
+  rayaudit_convention said = {};
+  said.extent = RAYAUDIT_BOTH_NAPPES, said.stand = RAYAUDIT_UPRIGHT_Y;
+  said.opening = RAYAUDIT_BY_COSINE, said.segment = 1;
+  BOOST_TEST((from_flat(said) == Convention{.extent = Extent::both_nappes,
+                                            .stand = Convention::Stand::upright_y,
+                                            .opening = Convention::Opening::cosine,
+                                            .segment = true}));
+  said = {}, said.stand = RAYAUDIT_UPRIGHT_Z, said.opening = RAYAUDIT_BY_ANGLE;
+  BOOST_TEST((from_flat(said) == Convention{.stand = Convention::Stand::upright_z,
+                                            .opening = Convention::Opening::angle}));
+  said = {}, said.opening = RAYAUDIT_BY_ANGLE;
+  BOOST_TEST(refusal_of_flat(said) ==
+             "its convention has an opening that is no radius, but no stand that is upright");
+  said = {}, said.segment = said.line = 1;
+  BOOST_TEST((from_flat(said) == Convention{.line = true, .segment = true}));
+  said = {}, said.stand = 3;
+  BOOST_TEST(refusal_of_flat(said) ==
+             "its convention has 3 for stand, which is no rayaudit_stand (0, 1 or 2)");
+  said = {}, said.opening = -1;
+  BOOST_TEST(refusal_of_flat(said) ==
+             "its convention has -1 for opening, which is no rayaudit_opening (0, 1 or 2)");
+  said = {}, said.extent = 7;
+  BOOST_TEST(refusal_of_flat(said) ==
+             "its convention has 7 for extent, which is no rayaudit_extent (0, 1 or 2)");
 }
 
 BOOST_AUTO_TEST_CASE(what_no_word_in_plain_c_means_is_refused) {
-  BOOST_TEST(refusal_of_flat({0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0}) ==
+  rayaudit_convention said = {};
+  said.apex = 3;
+  BOOST_TEST(refusal_of_flat(said) ==
              "its convention has 3 for apex, which is no rayaudit_stance (0, 1 or 2)");
-  BOOST_TEST(refusal_of_flat({0, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0}) ==
-             "its convention has -1 for inside, which is no rayaudit_inside (0, 1 or 2)");
-  BOOST_TEST(refusal_of_flat({0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 2}) ==
-             "its convention has the empty range from 2 to 2 for t");
+  said = {}, said.inside = -1;
+  BOOST_TEST(refusal_of_flat(said) ==
+             "its convention has -1 for inside, which is no rayaudit_inside (0 to 3)");
+  said = {}, said.t_min = said.t_max = 2;
+  BOOST_TEST(refusal_of_flat(said) == "its convention has the empty range from 2 to 2 for t");
 }
 
 BOOST_AUTO_TEST_CASE(a_case_is_asked_in_the_numbers_of_the_format) {

@@ -20,12 +20,9 @@ constexpr std::size_t cylinder = 2, cone = 3;
 
 const Subject& embree() {
   static const Subject subject = [] {
-    const std::vector<Subject> libraries = libraries_beside(from_environment("RAYAUDIT"));
-    const auto found = std::find_if(libraries.begin(), libraries.end(), [](const Subject& each) {
-      return each.name == "embree/float";
-    });
-    BOOST_TEST_REQUIRE((found != libraries.end()));
-    return *found;
+    const auto library = std::find_if(libraries().begin(), libraries().end(),
+                                      [](const Library& each) { return each.plugin == "embree"; });
+    return subjects_of(*library, from_environment("RAYAUDIT")).front();
   }();
   return subject;
 }

@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(another_version_is_refused_and_both_are_told) {
   BOOST_TEST(refusal_of("case size") ==
              "has a rayaudit_case of 136 bytes where version 1 of rayaudit/plugin.h has 200");
   BOOST_TEST(refusal_of("subject size") ==
-             "has a rayaudit_subject of 8 bytes where version 1 of rayaudit/plugin.h has 104");
+             "has a rayaudit_subject of 8 bytes where version 1 of rayaudit/plugin.h has 144");
 }
 
 BOOST_AUTO_TEST_CASE(a_plugin_without_subjects_is_refused) {
@@ -188,15 +188,15 @@ BOOST_AUTO_TEST_CASE(a_convention_that_cannot_be_meant_is_refused) {
   BOOST_TEST(refusal_of("negative stance") ==
              second + "-1 for within, which is no rayaudit_stance (0, 1 or 2)");
   BOOST_TEST(refusal_of("inside") ==
-             second + "77 for inside, which is no rayaudit_inside (0, 1 or 2)");
+             second + "77 for inside, which is no rayaudit_inside (0 to 3)");
   BOOST_TEST(refusal_of("range") == second + "the empty range from 2 to 1 for t");
   BOOST_TEST(refusal_of("NaN range") == second + "the empty range from 0 to nan for t");
 }
 
 BOOST_AUTO_TEST_CASE(a_subject_without_a_shape_is_refused) {
   BOOST_TEST(refusal_of("no shape") ==
-             "has a subject `second`: it answers no shape: disk, sphere, cylinder and cone are all "
-             "null");
+             "has a subject `second`: it answers no shape: disk, sphere, cylinder and all others "
+             "are null");
 }
 
 BOOST_AUTO_TEST_CASE(a_plugin_that_crashes_or_hangs_while_it_is_loaded_is_refused) {

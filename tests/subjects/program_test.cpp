@@ -230,13 +230,13 @@ BOOST_AUTO_TEST_CASE(a_line_that_is_no_answer_is_told_by_its_number_and_its_word
                                   "0x1p-2 0x1p-2 -0x1.8p...`: there is no answer after the case");
   BOOST_TEST(excuse("echo; echo Hello") ==
              "printed, as line 2, `Hello`: shape `Hello` is not known; known are `disk`, `sphere`, "
-             "`cylinder`, `cone`");
+             "`cylinder`, `cone`, `capped_cylinder`, `capped_cone`");
   BOOST_TEST(excuse("sed '3s/$/ hit/; 3!s/$/ miss/'") ==
              "printed, as line 3, " + quoted +
                  "0x1.8p+1 0x0p+0 -0x1....`: hit: expected t, got the end of the line");
   BOOST_TEST(excuse("sed 's/$/ miss/; 4s/.*/\\x1b[31m/'") ==
              "printed, as line 4, `\\x1b[31m`: shape `\\x1b[31m` is not known; known are `disk`, "
-             "`sphere`, `cylinder`, `cone`");
+             "`sphere`, `cylinder`, `cone`, `capped_cylinder`, `capped_cone`");
 }
 
 BOOST_AUTO_TEST_CASE(a_case_that_does_not_come_back_in_its_turn_is_told) {

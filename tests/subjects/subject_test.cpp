@@ -51,10 +51,13 @@ BOOST_AUTO_TEST_CASE(every_routine_is_there_in_float_double_and_long_double_and_
 
 BOOST_AUTO_TEST_CASE(a_subject_answers_the_shapes_that_its_routine_takes) {
   BOOST_TEST(shapes_of("handout/float") == "disk sphere ");
-  BOOST_TEST(shapes_of("textbook/double") == "disk sphere cylinder cone ");
+  BOOST_TEST(shapes_of("textbook/double") ==
+             "disk sphere cylinder cone capped_cylinder capped_cone ");
   BOOST_TEST(shapes_of("unit_space/double") == "disk sphere cylinder cone ");
-  BOOST_TEST(shapes_of("stable_quadratic/double") == "sphere cylinder cone ");
-  BOOST_TEST(shapes_of("closest_approach/long_double") == "sphere cylinder cone ");
+  BOOST_TEST(shapes_of("stable_quadratic/double") ==
+             "sphere cylinder cone capped_cylinder capped_cone ");
+  BOOST_TEST(shapes_of("closest_approach/long_double") ==
+             "sphere cylinder cone capped_cylinder capped_cone ");
   BOOST_TEST(shapes_of("division_free/float") == "disk ");
 }
 

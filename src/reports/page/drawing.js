@@ -16,6 +16,8 @@ const shape_parts = {
   disk: ["centre", "normal", "radius"],
   cylinder: ["base", "top", "radius"],
   cone: ["base", "apex", "radius"],
+  capped_cylinder: ["base", "top", "radius"],
+  capped_cone: ["base", "apex", "radius"],
 };
 
 /** The case and answer on a line, or null where it holds no shape that is known here. */
@@ -26,7 +28,7 @@ function read_case(line) {
   if (!(question.shape in shape_parts)) return null;
   for (const part of shape_parts[question.shape])
     question[part] = part === "radius" ? take(1)[0] : take(3);
-  words.shift();  // ray
+  while (words.shift() !== "ray" && words.length > 0);  // before it, how far an open shape extends
   question.origin = take(3);
   question.direction = take(3);
   if (words[0] === "range") [, question.least, question.most] = words.splice(0, 3).map(read_number);

@@ -97,17 +97,17 @@ struct Spheres {
   }
 };
 
-/// "rendered using capped cones" (changelog, 3.12), with the radii of its two ends; "the current
-/// segment is rendered to properly attach" where the flags say that it has neighbours
-/// (RTCCurveFlags), and so has no caps.
+/// "rendered using capped cones" (changelog), with the radii of its two ends. It has a cap where
+/// its flags, which "determine if a neighboring segment exists" (RTCCurveFlags), name no neighbour
+/// to "properly attach to" (RTC_GEOMETRY_TYPE_CURVE).
+template <int neighbours>
 struct Curves {
   Scene scene{RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE};
   Vertex* ends = scene.buffer<Vertex>(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, 2);
 
   Curves() {
     *scene.buffer<unsigned>(RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, 1) = 0;
-    *scene.buffer<unsigned char>(RTC_BUFFER_TYPE_FLAGS, RTC_FORMAT_UCHAR, 1) =
-        RTC_CURVE_FLAG_NEIGHBOR_LEFT | RTC_CURVE_FLAG_NEIGHBOR_RIGHT;
+    *scene.buffer<unsigned char>(RTC_BUFFER_TYPE_FLAGS, RTC_FORMAT_UCHAR, 1) = neighbours;
     scene.attach();
   }
   rayaudit_answer hit(const rayaudit_ray& ray, const rayaudit_cylinder& cylinder) {
@@ -121,6 +121,9 @@ struct Curves {
     return scene.hit(ray, {RTC_BUFFER_TYPE_VERTEX});
   }
 };
+
+using Open = Curves<RTC_CURVE_FLAG_NEIGHBOR_LEFT | RTC_CURVE_FLAG_NEIGHBOR_RIGHT>;
+using Capped = Curves<0>;
 
 /// The batch of a primitive that stands for a shape, which is a member of what a case is.
 template <class Primitive, auto shape>
@@ -140,9 +143,16 @@ constexpr rayaudit_convention declared() {
 }
 
 using Shapes = decltype(rayaudit_case::is);
-const rayaudit_subject subjects[] = {
-    {"embree", "float", declared(), batch<Disks, &Shapes::disk>, batch<Spheres, &Shapes::sphere>,
-     batch<Curves, &Shapes::cylinder>, batch<Curves, &Shapes::cone>}};
+const rayaudit_subject subjects[] = {{.name = "embree",
+                                      .format = "float",
+                                      .convention = declared(),
+                                      .disk = batch<Disks, &Shapes::disk>,
+                                      .sphere = batch<Spheres, &Shapes::sphere>,
+                                      .cylinder = batch<Open, &Shapes::cylinder>,
+                                      .cone = batch<Open, &Shapes::cone>,
+                                      .capped_cylinder = batch<Capped, &Shapes::capped_cylinder>,
+                                      .capped_cone = batch<Capped, &Shapes::capped_cone>,
+                                      .about = "Embree " RTC_VERSION_STRING ", rtcIntersect1"}};
 
 }  // namespace
 

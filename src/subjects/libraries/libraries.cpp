@@ -1,83 +1,74 @@
 #include "subjects/libraries/libraries.hpp"
 
 #include <array>
-#include <memory>
-#include <mutex>
+#include <chrono>
 #include <string>
 
-#include "subjects/plugins.hpp"
+#include "geometry/error.hpp"
+#include "geometry/glob.hpp"
 
 namespace rayaudit {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// What is known of a plugin's one subject before it is loaded.
-struct Library {
-  std::string_view name;
-  Format format;
-  Convention convention;  ///< as the plugin declares it
-  std::string_view needs;
+constexpr std::array list = {
+    Library{"bullet", "bullet*/float", "Bullet (Debian's libbullet-dev)"},
+    Library{"bullet64", "bullet*/double", "Bullet in double (Debian's libbullet-dev)"},
+    Library{"cgal", "cgal*/*", "CGAL, which the project needs anyway"},
+    Library{"coin", "coin*/float", "Coin (Debian's libcoin-dev)"},
+    Library{"eigen", "eigen*/*", "Eigen (Debian's libeigen3-dev)"},
+    Library{"embree", "embree*/float", "Embree 3 (Debian's libembree-dev)"},
+    Library{"geometric_shapes", "geometric_shapes*/double",
+            "geometric_shapes of ROS (Debian's libgeometric-shapes-dev)"},
+    Library{"glm", "glm*/*", "GLM (Debian's libglm-dev)"},
+    Library{"imath", "imath*/*", "Imath (Debian's libimath-dev)"},
+    Library{"irrlicht", "irrlicht*/*", "Irrlicht (Debian's libirrlicht-dev)"},
+    Library{"mujoco", "mujoco*/double", "MuJoCo (Debian's libmujoco-dev)"},
+    Library{"nanovdb", "nanovdb*/*", "NanoVDB (Debian's libnanovdb-dev)"},
+    Library{"npm", "npm.*/*", "Node.js, npm, and the packages that ./dev libraries fetches"},
+    Library{"ode", "ode*/*", "ODE (Debian's libode-dev)"},
+    Library{"ogre", "ogre*/float", "OGRE (Debian's libogre-1.12-dev)"},
+    Library{"opencascade", "opencascade*/double",
+            "Open CASCADE (Debian's libocct-modeling-algorithms-dev)"},
+    Library{"povray", "povray*/double", "POV-Ray (Debian's povray and povray-includes)"},
+    Library{"simbody", "simbody*/double", "Simbody (Debian's libsimbody-dev)"},
+    Library{"simgear", "simgear*/*", "SimGear (Debian's libsimgear-dev)"},
+    Library{"wild_magic", "wild_magic*/*", "Wild Magic 5 (Debian's libwildmagic-dev)"},
 };
 
-const std::array libraries = {
-    Library{"embree", float_format, {.t_min = 0}, "Embree 3 (Debian's libembree-dev)"}};
+/// Some take seconds to load where others keep the machine busy.
+constexpr std::chrono::seconds library_patience{10};
 
-/// The subject of a plugin, which is loaded when it is first asked.
-class Loaded {
- public:
-  Loaded(fs::path plugin, fs::path program)
-      : plugin_(std::move(plugin)), program_(std::move(program)) {}
-
-  const Subject& subject() {
-    std::call_once(once_, [&] { subjects_ = plugin_subjects(plugin_, plugin_patience, program_); });
-    return subjects_.front();
-  }
-
- private:
-  const fs::path plugin_, program_;
-  std::once_flag once_;
-  std::vector<Subject> subjects_;
-};
-
-Subject subject_of(const Library& library, const fs::path& plugin, const fs::path& program) {
-  Subject made = {
-      std::string(library.name) + '/' + std::string(library.format.name), library.format, {}};
-  made.convention = library.convention;
-  made.is_elsewhere = true;
-  const auto loaded = std::make_shared<Loaded>(plugin, program);
-  for (std::size_t shape = 0; shape < shape_count; ++shape) {
-    made.answer[shape] = [loaded, shape](std::span<const Case> cases, std::span<Answer> answers) {
-      loaded->subject().answer[shape](cases, answers);
-    };
-    made.timed[shape] = [loaded, shape](std::span<const Case> cases, std::span<Answer> answers) {
-      return loaded->subject().timed[shape](cases, answers);
-    };
-  }
-  return made;
+std::string file_of(const Library& library) {
+  return "rayaudit-" + std::string(library.plugin) + ".so";
 }
 
 }  // namespace
 
-std::vector<Subject> libraries_beside(const fs::path& program) {
-  std::vector<Subject> subjects;
-  for (const Library& library : libraries)
-    if (const auto plugin = plugin_beside(program, library.name))
-      subjects.push_back(subject_of(library, *plugin, program));
+std::span<const Library> libraries() { return list; }
+
+bool is_here(const Library& library, const fs::path& program) {
+  return plugin_beside(program, library.plugin).has_value();
+}
+
+std::vector<Subject> subjects_of(const Library& library, const fs::path& program) {
+  const auto plugin = plugin_beside(program, library.plugin);
+  if (!plugin) throw Error(why_absent(library));
+  std::vector<Subject> subjects = plugin_subjects(*plugin, library_patience, program);
+  for (Subject& each : subjects) {
+    // Under another name nobody could ask for it.
+    if (!matches(std::string(library.subjects), each.name))
+      throw Error("plugin `" + plugin->string() + "` has a subject `" + each.name +
+                  "`, which is none of `" + std::string(library.subjects) + '`');
+    each.by_name_only = true;
+  }
   return subjects;
 }
 
-std::vector<Subject> library_subjects() { return libraries_beside(this_program); }
-
-std::vector<Absent> absent_libraries() {
-  std::vector<Absent> absent;
-  for (const Library& library : libraries)
-    if (!plugin_beside(this_program, library.name))
-      absent.push_back({std::string(library.name) + "/*",
-                        "rayaudit-" + std::string(library.name) +
-                            ".so is not beside the program; it is built where there is " +
-                            std::string(library.needs)});
-  return absent;
+std::string why_absent(const Library& library) {
+  return file_of(library) + " is not beside the program; it is built where there is " +
+         std::string(library.needs);
 }
 
 }  // namespace rayaudit

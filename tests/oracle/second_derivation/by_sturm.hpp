@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "tests/oracle/second_derivation/derived.hpp"
+#include "tests/oracle/second_derivation/solid.hpp"
 
 /// Cylinder and cone in rational numbers: the case is carried to a frame along the axis, whose
 /// other two vectors are orthogonal but not normed, and the roots are told apart by a Sturm
@@ -163,13 +163,108 @@ inline Crossings along_lateral_surface(const InFrame& frame, const Rational& r, 
   return found;
 }
 
+/// A rational number between a < b.
+inline Rational between(const Number& a, const Number& b) {
+  // No t of ours is further off than this.
+  const Rational far = power_of_two(4000);
+  const double least = about(a), most = std::nextafter(about(b), INFINITY);
+  Rational below = std::isinf(least) ? -far : Rational(least);
+  Rational above = std::isinf(most) ? far : Rational(most);
+  while (true) {
+    const Rational middle = (below + above) / 2;
+    if (a(middle) >= 0)
+      below = middle;
+    else if (b(middle) <= 0)
+      above = middle;
+    else
+      return middle;
+  }
+}
+
+/// The same surface with what closes it: the plane at the base, and at the top but of a cone.
+struct Solid {
+  InFrame frame;
+  int taper;
+  Linear to_top;
+  Polynomial off_surface;  ///< negative inside
+
+  Solid(const InFrame& in, const Rational& r, int t)
+      : frame(in),
+        taper(t),
+        to_top(Linear{in.ww, 0} - in.z),
+        off_surface(lateral(in, r * (Linear{in.ww, 0} - Rational(t) * in.z))) {}
+
+  static Polynomial lateral(const InFrame& in, const Linear& radius_ww) {
+    return sum_of_squares({{Rational(1) / in.ff, in.x},
+                           {Rational(1) / in.gg, in.y},
+                           {Rational(-1) / (in.ww * in.ww), radius_ww}});
+  }
+
+  /// From the signs of what is negative, positive and positive inside.
+  static Place place(int off, int above_base, int below_top) {
+    if (off > 0 || above_base < 0 || below_top < 0) return Place::outside;
+    return off < 0 && above_base > 0 && below_top > 0 ? Place::inside : Place::on;
+  }
+  Place place(const Rational& t) const {
+    const Number at = number(t);
+    return place(CGAL::sign(value(off_surface, t)), frame.z.sign(at), to_top.sign(at));
+  }
+  bool is_apex(const Number& t) const { return taper == 1 && to_top.sign(t) == 0; }
+  /// Does all of the line lie in the plane of a cap?
+  bool lies_in_plane() const {
+    const auto vanishes = [](const Linear& g) { return g.slope == 0 && g.at_0 == 0; };
+    return vanishes(frame.z) || (taper == 0 && vanishes(to_top));
+  }
+  oracle::Kind touch(const Number& t) const {
+    using oracle::Kind;
+    if (lies_in_plane()) return Kind::within;
+    if (is_apex(t)) return Kind::apex;
+    return frame.z.sign(t) == 0 || to_top.sign(t) == 0 ? Kind::rim : Kind::tangent;
+  }
+
+  std::vector<Candidate> candidates() const {
+    std::vector<Candidate> all;
+    if (!off_surface.empty()) {
+      const auto roots = std::make_shared<const RealRoots>(off_surface);
+      for (int k = 0; k < roots->count(); ++k) {
+        const Number t = [roots, k](const Rational& q) { return roots->compare(k, q); };
+        all.push_back({t, place(0, frame.z.sign(t), to_top.sign(t)), touch(t)});
+      }
+    }
+    for (const Linear& plane : {frame.z, to_top}) {
+      if (plane.slope == 0) continue;
+      const Rational q = plane.root();
+      const auto is_before = [&](const Candidate& other) { return other.t(q) < 0; };
+      const auto at = std::partition_point(all.begin(), all.end(), is_before);
+      if (at != all.end() && at->t(q) == 0) continue;
+      all.insert(at, {number(q), place(q), touch(number(q))});
+    }
+    return all;
+  }
+};
+
+inline Crossings along_solid(const Solid& solid) {
+  const std::vector<Candidate> candidates = solid.candidates();
+  std::vector<Place> between_them(candidates.size() + 1, Place::outside);
+  for (std::size_t i = 1; i < candidates.size(); ++i)
+    between_them[i] = solid.place(between(candidates[i - 1].t, candidates[i].t));
+  return on_line(candidates, between_them);
+}
+
 inline Crossings by_sturm(const Case& question) {
   const auto derive = [&](const Vec3<double>& from, const Vec3<double>& to, double r, int taper) {
-    return cut_to_range(along_lateral_surface(in_frame(question.ray, from, to), Rational(r), taper),
+    const InFrame frame = in_frame(question.ray, from, to);
+    const bool closed = question.shape.index() >= 4;
+    return cut_to_range(closed ? along_solid({frame, Rational(r), taper})
+                               : along_lateral_surface(frame, Rational(r), taper),
                         question.ray);
   };
   if (const auto* cylinder = std::get_if<Cylinder<double>>(&question.shape))
     return derive(cylinder->base, cylinder->top, cylinder->radius, 0);
+  if (const auto* cylinder = std::get_if<CappedCylinder<double>>(&question.shape))
+    return derive(cylinder->base, cylinder->top, cylinder->radius, 0);
+  if (const auto* cone = std::get_if<CappedCone<double>>(&question.shape))
+    return derive(cone->base, cone->apex, cone->radius, 1);
   const auto& cone = std::get<Cone<double>>(question.shape);
   return derive(cone.base, cone.apex, cone.radius, 1);
 }

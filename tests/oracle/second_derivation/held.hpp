@@ -4,6 +4,7 @@
 #include <random>
 
 #include "tests/families/drawn.hpp"
+#include "tests/oracle/closed.hpp"
 #include "tests/oracle/second_derivation/derived.hpp"
 
 /// The oracle held against a second derivation, on cases of every family.
@@ -97,23 +98,72 @@ inline Case with_range(Case question, std::mt19937_64& engine) {
   return question;
 }
 
+inline constexpr std::size_t capped_cylinder = 4, capped_cone = 5;
+/// The open shape of which the cases of a shape are made.
+constexpr std::size_t drawn_as(std::size_t shape) {
+  return shape < capped_cylinder ? shape : shape - 2;
+}
+
+/// A small whole number.
+inline double whole(std::mt19937_64& engine) { return static_cast<double>(engine() % 13) - 6; }
+inline Vec3<double> whole_vector(std::mt19937_64& engine) {
+  const double x = whole(engine), y = whole(engine), z = whole(engine);
+  return {x, y, z};
+}
+
+/// A ray through the edge of a closed shape of small whole numbers, exactly: from outside in, out,
+/// past it, along it or in the plane of its cap.
+inline Case at_edge(bool cone, std::mt19937_64& engine) {
+  struct Frame {
+    Vec3<double> axis, across;
+    double radius;
+  };
+  // The axis is orthogonal to the way across, whose length is whole.
+  static const Frame frames[] = {{{0, 0, 2}, {3, 4, 0}, 5},
+                                 {{1, -2, 2}, {2, 2, 1}, 3},
+                                 {{2, 6, -3}, {6, -3, -2}, 7},
+                                 {{0, 5, 0}, {4, 0, -3}, 5}};
+  const auto& [axis, across, radius] = frames[engine() % std::size(frames)];
+  const Vec3<double> base = whole_vector(engine), top = base + axis;
+  const bool upper = !cone && engine() % 2 == 0;
+  const Vec3<double> edge = (upper ? top : base) + across;
+  const Vec3<double> along = cross(axis, across);
+  const double kind = whole(engine);
+  Vec3<double> d = kind < -2  ? whole_vector(engine)
+                   : kind < 0 ? whole(engine) * across + whole(engine) * along
+                   : kind < 2 ? whole(engine) * axis + whole(engine) * along
+                              : whole(engine) * axis + whole(engine) * across;
+  if (d == Vec3<double>{0, 0, 0}) d = axis;
+  const Ray<double> ray = {edge - whole(engine) * d, d};
+  if (cone) return {ray, CappedCone<double>{base, top, radius}};
+  return {ray, CappedCylinder<double>{base, top, radius}};
+}
+
 /// The first cases of each family that draws the shape, in both formats, so many in all; every
-/// third on a range of its own. Calls visit(family, question).
+/// third on a range of its own. Calls visit(family, question). Cases of closed shapes are those of
+/// the open ones, and rays by their edges.
 template <class V>
 void each_case(std::size_t shape, std::size_t count, V&& visit) {
   const auto each = [&](auto&& draw_from) {
     each_drawing([&](const Family& family, std::size_t drawn_shape, const Format& format) {
-      if (drawn_shape == shape && family.id != "invalid") draw_from(family, format);
+      if (drawn_shape == drawn_as(shape) && family.id != "invalid") draw_from(family, format);
     });
   };
   std::size_t drawings = 0;
   each([&](const Family&, const Format&) { ++drawings; });
   const std::size_t share = (count + drawings - 1) / drawings;
   std::mt19937_64 engine(shape);
+  const auto see = [&](std::string_view id, const Case& question) {
+    visit(id, engine() % 3 == 0 ? with_range(question, engine) : question);
+  };
   each([&](const Family& family, const Format& format) {
-    for (const Case& question : drawn(family, shape, format, {}, 0, share))
-      visit(family, engine() % 3 == 0 ? with_range(question, engine) : question);
+    for (Case question : drawn(family, drawn_as(shape), format, {}, 0, share)) {
+      if (shape >= capped_cylinder) question.shape = closed(question.shape);
+      see(family.id, question);
+    }
   });
+  if (shape < capped_cylinder) return;
+  for (std::size_t i = 0; i < count / 4; ++i) see("edge", at_edge(shape == capped_cone, engine));
 }
 
 /// Holds the oracle's truth of so many cases of the shape, from every family, against the
@@ -122,7 +172,7 @@ inline void hold(std::size_t shape, std::size_t count, Derivation derive,
                  std::initializer_list<oracle::Kind> kinds) {
   std::size_t held = 0, wrong = 0;
   std::array<std::size_t, 7> seen = {};
-  each_case(shape, count, [&](const Family& family, const Case& question) {
+  each_case(shape, count, [&](std::string_view id, const Case& question) {
     const oracle::Truth truth = oracle::truth(question);
     const Crossings derived = derive(question);
     const bool right = agree(truth, derived);
@@ -131,8 +181,8 @@ inline void hold(std::size_t shape, std::size_t count, Derivation derive,
     ++held;
     if (right && rounds) return;
     if (++wrong <= 5)
-      BOOST_ERROR(family.id << ": " << case_line(question) << "\n  oracle " << words(truth)
-                            << (right ? " rounded wrong" : "") << "\n  derived " << words(derived));
+      BOOST_ERROR(id << ": " << case_line(question) << "\n  oracle " << words(truth)
+                     << (right ? " rounded wrong" : "") << "\n  derived " << words(derived));
   });
   BOOST_TEST(wrong == 0u);
   BOOST_TEST(held >= count);

@@ -25,6 +25,8 @@ inline std::vector<Proved> proved() {
   const std::string cylinder = "cylinder 0 0 0 0 2 0 1 ray ";
   const std::string slanted = "cylinder 0 0 0 2 2 1 3 ray ";
   const std::string cone = "cone 0 0 0 0 2 0 1 ray ";
+  const std::string can = "capped_cylinder 0 0 0 0 2 0 1 ray ";
+  const std::string tent = "capped_cone 0 0 0 0 2 0 1 ray ";
   const Rational half(1, 2), third(1, 3);
   return {
       {disk + "0.5 0 3 0 0 -2", {{proper, 3 * half}}},
@@ -74,6 +76,28 @@ inline std::vector<Proved> proved() {
       {cone + "0 0 0 -1 2 0", {{proper, half}}},
       {cone + "2 -2 0 -1 2 0", {{within, 1, 2}}},
       {cone + "-2 -2 0 1 2 0 range 0 1.5", {{within, 1, 3 * half}}},
+      {can + "-3 1 0 1 0 0", {{proper, 2}}},
+      {can + "0 1 0 0 1 0", {{proper, 1}}},
+      {can + "0 3 0 1 -2 0", {{proper, half}}},
+      {can + "-3 1 1 1 0 0", {{tangent, 3}}},
+      {can + "-3 2 0 1 0 0", {{within, 2, 4}}},
+      {can + "-3 0 1 1 0 0", {{within, 3}}},
+      {can + "-3 0 1 1 1 0", {}},
+      {can + "-3 -1 1 1 1 0", {{rim, 3}}},
+      {can + "-2 3 0 1 -1 0", {{proper, 1}}},
+      {can + "-2 1 0 1 1 0", {{rim, 1}}},
+      {can + "0 3 0 0 -1 0 range 1 3", {{start, 1}, {end, 3}}},
+      {can + "1 -1 0 0 1 0", {{within, 1, 3}}},
+      {can + "2 -1 0 0 1 0", {}},
+      {tent + "-3 1 0 1 0 0", {{proper, 5 * half}}},
+      {tent + "0 1 0 0 -2 0", {{proper, half}}},
+      {tent + "0 3 0 0 -1 0", {{proper, 1}}},
+      {tent + "0 1 0 0 1 0", {{proper, 1}}},
+      {tent + "-3 2 0 1 0 0", {{apex, 3}}},
+      {tent + "-3 0 0 1 0 0", {{within, 2, 4}}},
+      {tent + "2 -2 0 -1 2 0", {{within, 1, 2}}},
+      {tent + "-2 1 0 1 -1 0", {{rim, 1}}},
+      {tent + "-2 -1 0 1 1 0", {{proper, 1}}},
   };
 }
 

@@ -119,10 +119,10 @@ void tell_process(const rayaudit_case*, size_t count, rayaudit_answer* answers) 
 }
 
 constexpr rayaudit_subject on_spheres(const char* name, rayaudit_batch batch) {
-  return {name, "double", {}, nullptr, batch, nullptr, nullptr};
+  return {name, "double", {}, nullptr, batch, nullptr, nullptr, nullptr, nullptr, nullptr};
 }
 constexpr rayaudit_subject on_all(const char* name, rayaudit_batch batch) {
-  return {name, "double", {}, batch, batch, batch, batch};
+  return {name, "double", {}, batch, batch, batch, batch, nullptr, nullptr, nullptr};
 }
 
 constexpr rayaudit_subject subjects[] = {

@@ -1,0 +1,19 @@
+// Bullet 3.24, rayTestSingle
+// build: c++ -O2 -std=c++17 FILE $(pkg-config --cflags --libs bullet) -o PROGRAM
+// case: sphere 0x0p+0 0x0p+0 0x0p+0 0x1p-7 ray 0x1p-6 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0 range 0x0p+0 0x1p+0
+// exact: miss
+// observed: hit 0.013780718669295311
+// wrong by: rayaudit judge --format float --convention inside=any,ray=segment,stand=upright_z
+#include <btBulletCollisionCommon.h>
+#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
+#include <cstdio>
+int main() {
+  const btVector3 from(0.015625f, 0.0f, 0.0f), to = from + btVector3(0.0f, 0.0f, 1.0f);
+  btSphereShape shape(0.0078125f);
+  btCollisionObject object;
+  btCollisionWorld::ClosestRayResultCallback met(from, to);
+  const auto at = [](const btVector3& place) { return btTransform(btQuaternion::getIdentity(), place); };
+  btCollisionWorld::rayTestSingle(at(from), at(to), &object, &shape, at(btVector3(0.0f, 0.0f, 0.0f)), met);
+  if (!met.hasHit()) return std::puts("miss"), 0;
+  std::printf("hit %.17g\n", double(met.m_closestHitFraction));
+}

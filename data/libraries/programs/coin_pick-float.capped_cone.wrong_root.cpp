@@ -1,0 +1,34 @@
+// Coin 4.0.0, SoRayPickAction
+// build: c++ -O2 -std=c++17 FILE -lCoin -o PROGRAM
+// case: capped_cone 0x0p+0 -0x1p-1 0x0p+0 0x0p+0 0x1p-1 0x0p+0 0x1p+0 ray 0x0p+0 0x0p+0 0x1p+0 0x0p+0 -0x1p+0 -0x1p+0
+// exact: hit 1 / 4 = 0.25, at 0 -0.25 0.75
+// observed: at 0 -0.4999999701976776 0.5
+// wrong by: rayaudit judge --format float --convention stand=upright_y,t_min=0
+#include <Inventor/SbViewportRegion.h>
+#include <Inventor/SoDB.h>
+#include <Inventor/SoPickedPoint.h>
+#include <Inventor/actions/SoRayPickAction.h>
+#include <Inventor/nodes/SoCone.h>
+#include <cmath>
+#include <cstdio>
+int main() {
+  SoDB::init();
+  auto* scene = new SoCone;
+  scene->ref();
+  scene->parts.setValue(SoCone::ALL);
+  scene->bottomRadius.setValue(1.0f);
+  scene->height.setValue(2 * 0.5f);
+  SoRayPickAction action(SbViewportRegion(100, 100));
+  // Near and far are distances, none where they are below 0.
+  const long double dx = 0.0f, dy = -1.0f, dz = -1.0f;
+  const long double length = std::sqrt(dx * dx + dy * dy + dz * dz);
+  const double near = 0.0f, far = INFINITY;
+  action.setRay(SbVec3f(0.0f, 0.0f, 1.0f), SbVec3f(0.0f, -1.0f, -1.0f),
+                std::isfinite(near) ? float(near * length) : -1,
+                std::isfinite(far) ? float(far * length) : -1);
+  action.apply(scene);
+  const SoPickedPoint* point = action.getPickedPoint();
+  if (point == nullptr) return std::puts("miss"), 0;
+  const SbVec3f& at = point->getPoint();
+  std::printf("at %.17g %.17g %.17g\n", at[0], at[1], at[2]);
+}

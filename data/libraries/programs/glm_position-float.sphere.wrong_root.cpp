@@ -1,0 +1,20 @@
+// GLM: version 0.9.9.8, intersectRaySphere for a position
+// build: c++ -O2 -std=c++17 FILE -o PROGRAM
+// case: sphere 0x1p-22 0x0p+0 0x0p+0 0x1p-23 ray 0x0p+0 0x0p+0 0x0p+0 0x1p+0 0x0p+0 0x0p+0
+// exact: hit 1 / 8388608 = 1.1920928955078125e-7, at 1.1920929e-07 0 0
+// observed: at 3.5762786865234375e-07 0 0
+// wrong by: rayaudit judge --format float --convention direction=unit,ray=line,extent=unbounded,t_min=0
+#define GLM_ENABLE_EXPERIMENTAL
+#include <cmath>
+#include <cstdio>
+#include <glm/glm.hpp>
+#include <glm/gtx/intersect.hpp>
+using Real = float;
+using Vector = glm::vec<3, Real>;
+int main() {
+  const Vector origin(0.0f, 0.0f, 0.0f), direction(1.0f, 0.0f, 0.0f), centre(2.3841858e-07f, 0.0f, 0.0f);
+  Vector at, normal;
+  if (!glm::intersectRaySphere(origin, direction, centre, Real(1.1920929e-07f), at, normal))
+    return std::puts("miss"), 0;
+  std::printf("at %.17g %.17g %.17g\n", double(at.x), double(at.y), double(at.z));
+}

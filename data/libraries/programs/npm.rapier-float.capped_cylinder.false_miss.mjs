@@ -1,0 +1,12 @@
+// @dimforge/rapier3d-compat 0.21.0, Shape.castRay
+// build: npm install @dimforge/rapier3d-compat@0.21.0 && node FILE
+// case: capped_cylinder 0x0p+0 -0x1p+0 0x0p+0 0x0p+0 0x1p+0 0x0p+0 0x1p+0 ray 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p-4 0x1p-3
+// exact: hit 8
+// observed: miss
+// wrong by: rayaudit judge --format float --convention ray=line,extent=unbounded,stand=upright_y,t_min=0
+import rapier from '@dimforge/rapier3d-compat'
+await rapier.init()
+const ray = new rapier.Ray({ x: 0.0, y: 0.0, z: 0.0 }, { x: 0.0, y: 0.0625, z: 0.125 })
+const shape = new rapier.Cylinder(1.0, 1.0)
+const t = shape.castRay(ray, { x: 0, y: 0, z: 0 }, { x: 0, y: 0, z: 0, w: 1 }, 3.4028234663852886e38, false)
+console.log(t < 0 ? 'miss' : `hit ${t}`)

@@ -1,0 +1,14 @@
+// build: c++ -O2 -std=c++17 -frounding-math FILE -lmpfr -lgmp -o PROGRAM
+// says any: "Two objects obj1 and obj2 intersect if there is a point p that is part of both obj1 and obj2." (manual, 2D and 3D Linear Geometry Kernel, do_intersect)
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/intersections.h>
+#include <cstdio>
+using Real = @real@;
+using Kernel = CGAL::Simple_cartesian<Real>;
+int main() {
+  const Kernel::Point_3 origin(@ox@, @oy@, @oz@), centre(@cx@, @cy@, @cz@);
+  const Kernel::Line_3 line(origin, Kernel::Vector_3(@dx@, @dy@, @dz@));
+  const Real radius = @r@;
+  const Kernel::Sphere_3 sphere(centre, radius * radius);
+  std::puts(CGAL::do_intersect(line, sphere) ? "yes" : "miss");
+}

@@ -1,0 +1,1 @@
+throw new Error('it throws before it is asked')
