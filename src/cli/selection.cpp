@@ -47,8 +47,8 @@ std::vector<std::string_view> names_of(const std::vector<const Subject*>& subjec
   return names;
 }
 
-Error not_here(const std::string& pattern, const std::string& why) {
-  return {fmt::format("subject `{}` is not here: {}", pattern, why)};
+[[noreturn]] void refuse_absent(const std::string& pattern, const std::string& why) {
+  throw Error(fmt::format("subject `{}` is not here: {}", pattern, why));
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ Error not_here(const std::string& pattern, const std::string& why) {
 void require_present(const std::vector<std::string>& patterns) {
   for (const std::string& pattern : patterns)
     for (const auto& [subjects, why] : absent_subjects())
-      if (matches(subjects, pattern)) throw not_here(pattern, why);
+      if (matches(subjects, pattern)) refuse_absent(pattern, why);
 }
 
 Subjects::Subjects(const SubjectChoice& choice) {
@@ -85,13 +85,13 @@ void Subjects::load(const std::string& pattern) {
   for (const Library* library : meant) {
     if (!is_here(*library)) {
       if (matches(std::string(library->subjects), pattern))
-        throw not_here(pattern, why_absent(*library));
+        refuse_absent(pattern, why_absent(*library));
       continue;
     }
     is_any_here = true;
     if (!loaded_.contains(library->plugin)) load(*library);
   }
-  if (!is_any_here) throw not_here(pattern, why_absent(*meant.front()));
+  if (!is_any_here) refuse_absent(pattern, why_absent(*meant.front()));
 }
 
 void Subjects::load(const Library& library) {
