@@ -155,9 +155,9 @@ bool agrees(const Judgement& judgement, double max_ulp) {
   return !is_wrong(judgement.verdict) && !is_far;
 }
 
-std::string failure_text(const Failure& failure) {
+std::string failure_text(const JudgedAnswer& judged) {
   const auto& [question, answer, format, judgement, margin, max_ulp, cause, repeats, command] =
-      failure;
+      judged;
   const oracle::Truth truth = oracle::truth(question, oracle::bits_for(format));
   std::string text = row("case", case_line(question)) + row("got", got(answer, format)) +
                      row("truth", told(question, truth, format)) +

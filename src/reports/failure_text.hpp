@@ -10,7 +10,7 @@ namespace rayaudit {
 bool agrees(const Judgement& judgement, double max_ulp);
 
 /// One answer that was judged, and what is known of it.
-struct Failure {
+struct JudgedAnswer {
   const Case& question;
   const Answer& answer;
   const Format& format;
@@ -24,7 +24,7 @@ struct Failure {
 
 /// The same for a person to read, a line each: case, got, truth, verdict, error and margin where
 /// they are known, cause, and the command that explains it. Each line ended.
-std::string failure_text(const Failure& failure);
+std::string failure_text(const JudgedAnswer& judged);
 
 /// One answer to one case, for a person to read and to go on from: case, got, truth, verdict,
 /// error, margin, cause where an answer alone shows it, and the command that explains it. Lines,

@@ -94,8 +94,9 @@ void add_batch(Subject& subject, std::size_t shape, const S<double>*) {
 
 template <class Routine, class N>
 Subject subject_of() {
-  Subject made = {
-      std::string(Routine::name) + '/' + std::string(format_of<N>.name), format_of<N>, {}};
+  std::string name(Routine::name);
+  name.append("/").append(format_of<N>.name);
+  Subject made = {name, format_of<N>, {}};
   [&]<std::size_t... I>(std::index_sequence<I...>) {
     (add_batch<Routine, N>(made, I, static_cast<std::variant_alternative_t<I, Shape>*>(nullptr)),
      ...);

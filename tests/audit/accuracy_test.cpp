@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE accuracy
 #include "audit/accuracy.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE along
 #include "audit/along.hpp"
 
 #include <boost/test/unit_test.hpp>

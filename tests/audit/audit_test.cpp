@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE audit
 #include "audit/audit.hpp"
 
 #include <algorithm>

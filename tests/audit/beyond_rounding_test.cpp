@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE beyond_rounding
 #include "audit/beyond_rounding.hpp"
 
 #include <boost/test/unit_test.hpp>

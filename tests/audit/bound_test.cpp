@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE bound
 #include "audit/bound.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE cost
 #include "audit/cost.hpp"
 
 #include <algorithm>

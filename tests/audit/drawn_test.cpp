@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE drawn
 #include "audit/drawn.hpp"
 
 #include <boost/test/unit_test.hpp>

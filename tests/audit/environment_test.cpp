@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE environment
 #include "audit/environment.hpp"
 
 #include <boost/test/unit_test.hpp>

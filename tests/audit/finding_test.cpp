@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE finding
 #include "audit/finding.hpp"
 
 #include <algorithm>

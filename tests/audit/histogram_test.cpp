@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE histogram
 #include "audit/histogram.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE judge
 #include "audit/judge.hpp"
 
 #include <boost/test/unit_test.hpp>

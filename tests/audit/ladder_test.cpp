@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE ladder
 #include "audit/ladder.hpp"
 
 #include <algorithm>

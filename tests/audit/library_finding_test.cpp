@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE library_finding
 #include "audit/library_finding.hpp"
 
 #include <boost/test/unit_test.hpp>

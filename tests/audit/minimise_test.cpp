@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE minimise
 #include "audit/minimise.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE spread
 #include "audit/spread.hpp"
 
 #include <boost/test/unit_test.hpp>

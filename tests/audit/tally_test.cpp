@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE tally
 #include "audit/tally.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE transformation
 #include "audit/transformation.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE bad_input
 #include <boost/test/unit_test.hpp>
 
 #include "tests/cli/shell.hpp"
@@ -216,7 +215,7 @@ BOOST_AUTO_TEST_CASE(a_report_beyond_the_largest_file_allowed_leaves_nothing) {
   BOOST_TEST(folder.files() == 0);
 }
 
-#ifndef __SANITIZE_ADDRESS__  // which takes more memory than any limit
+#ifndef RAYAUDIT_SANITIZED  // which takes more memory than any limit
 BOOST_AUTO_TEST_CASE(a_line_that_memory_cannot_hold_is_told) {
   BOOST_TEST(run("(ulimit -v 400000; rayaudit truth) < <(head -c 600M /dev/zero)") ==
              refused(2, "there is not enough memory"));

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE check
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE plugin_by_command
 #include <boost/test/unit_test.hpp>
 #include <csignal>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE degenerate
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "families/upright.hpp"

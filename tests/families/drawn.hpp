@@ -8,6 +8,7 @@
 #include "families/family.hpp"
 #include "geometry/case_line.hpp"
 #include "geometry/error.hpp"
+#include "tests/watched.hpp"
 
 namespace rayaudit {
 

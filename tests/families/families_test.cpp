@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE families
 #include <algorithm>
 #include <bit>
 #include <cmath>

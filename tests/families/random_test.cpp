@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE random
 #include "families/random.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE field_defects
 #include <fmt/format.h>
 
 #include <algorithm>

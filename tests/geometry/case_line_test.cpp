@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE case_line
 #include "geometry/case_line.hpp"
 
 #include <bit>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE case
 #include "geometry/case.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE digest
 #include "geometry/digest.hpp"
 
 #include <boost/test/unit_test.hpp>

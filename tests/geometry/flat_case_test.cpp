@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE flat_case
 #include "geometry/flat_case.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE real
 #include "geometry/real.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>

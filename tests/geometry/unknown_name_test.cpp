@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE unknown_name
 #include "geometry/unknown_name.hpp"
 
 #include <array>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE double_double
 #include "numbers/double_double.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE running_bound
 #include "numbers/running_bound.hpp"
 
 #include <algorithm>

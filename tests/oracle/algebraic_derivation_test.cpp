@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE algebraic_derivation
 #include "tests/oracle/second_derivation/by_algebraic.hpp"
 #include "tests/oracle/second_derivation/held.hpp"
 #include "tests/oracle/second_derivation/proved.hpp"

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE bounded
 #include "oracle/bounded.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE families_are_what_they_say
 #include <map>
 
 #include "oracle/truth.hpp"

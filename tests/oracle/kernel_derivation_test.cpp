@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE kernel_derivation
 #include "tests/oracle/second_derivation/by_kernel.hpp"
 #include "tests/oracle/second_derivation/held.hpp"
 #include "tests/oracle/second_derivation/proved.hpp"

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE margin
 #include "oracle/margin.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -24,7 +23,7 @@ template <class H>
 void each_case(std::size_t count, const Format& only, H&& holds) {
   each_drawing([&](const Family& family, std::size_t shape, const Format& format) {
     if (family.id == "invalid" || format != only) return;
-    std::vector<Case> cases = drawn(family, shape, format, {}, 9, count);
+    std::vector<Case> cases = drawn(family, shape, format, {}, 9, count / one_in);
     require_each(family, shape, format, cases, holds);
     if (shape != 2 && shape != 3) return;
     for (Case& question : cases) question.shape = closed(question.shape);
@@ -37,7 +36,7 @@ template <class H>
 void each_endless_case(std::size_t count, const Format& only, H&& holds) {
   each_drawing([&](const Family& family, std::size_t shape, const Format& format) {
     if (family.id == "invalid" || format != only || shape == 1 || shape > 3) return;
-    std::vector<Case> cases = drawn(family, shape, format, {}, 9, count);
+    std::vector<Case> cases = drawn(family, shape, format, {}, 9, count / one_in);
     for (const Extent extent : {Extent::unbounded, Extent::both_nappes}) {
       for (Case& question : cases) question.extent = extent;
       require_each(family, shape, format, cases, holds);

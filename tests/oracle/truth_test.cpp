@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE truth
 #include "oracle/truth.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE oracle_face
 #include "rayaudit/oracle.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE the_library_against_what_it_is_made_of
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE breach
 #include "reports/breach.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE difference
 #include "reports/difference.hpp"
 
 #include <boost/test/unit_test.hpp>

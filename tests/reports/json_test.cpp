@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE json
 #include <boost/test/unit_test.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE junit
 #include <boost/test/unit_test.hpp>
 #include <cstdio>
 #include <cstdlib>

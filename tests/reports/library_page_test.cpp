@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE library_page
 #include "reports/library_page.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE markdown
 #include <boost/test/unit_test.hpp>
 
 #include "reports/markdown_text.hpp"

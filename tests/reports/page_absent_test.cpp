@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE page_absent
 #include <boost/test/unit_test.hpp>
 
 #include "geometry/error.hpp"

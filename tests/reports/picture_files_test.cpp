@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE picture_files
 #include "reports/picture_files.hpp"
 
 #include <algorithm>

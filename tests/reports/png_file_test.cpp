@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE png_file
 #include "reports/png_file.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE shard
 #include "reports/shard.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE closest_approach
 #include "routines/closest_approach.hpp"
 
 #include <array>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE cone_nappe
 #include "routines/cone_nappe.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE convex_solid
 #include "routines/convex_solid.hpp"
 
 #include <boost/test/unit_test.hpp>

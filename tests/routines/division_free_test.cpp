@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE division_free
 #include "routines/division_free.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE frame
 #include "routines/frame.hpp"
 
 #include <boost/test/unit_test.hpp>

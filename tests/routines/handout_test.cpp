@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE handout
 #include "routines/handout.hpp"
 
 #include <boost/test/unit_test.hpp>

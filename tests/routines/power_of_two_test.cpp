@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE power_of_two
 #include "routines/power_of_two.hpp"
 
 #include <boost/test/unit_test.hpp>

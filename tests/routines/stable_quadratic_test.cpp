@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE stable_quadratic
 #include "routines/stable_quadratic.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE stable_roots
 #include "routines/stable_roots.hpp"
 
 #include <boost/test/unit_test.hpp>

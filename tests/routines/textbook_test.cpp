@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE textbook
 #include "routines/textbook.hpp"
 
 #include <boost/test/unit_test.hpp>

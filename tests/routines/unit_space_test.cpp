@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE unit_space
 #include "routines/unit_space.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE bounding_tree
 #include "scenes/bounding_tree.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE effect
 #include "scenes/effect.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE offset
 #include "scenes/offset.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE picture_run
 #include "scenes/picture_run.hpp"
 
 #include <algorithm>

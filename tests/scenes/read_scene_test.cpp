@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE read_scene
 #include "scenes/read_scene.hpp"
 
 #include <boost/test/unit_test.hpp>

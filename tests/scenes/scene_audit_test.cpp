@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE scene_audit
 #include "scenes/scene_audit.hpp"
 
 #include <boost/test/unit_test.hpp>

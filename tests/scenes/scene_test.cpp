@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE scene
 #include "scenes/scene.hpp"
 
 #include <boost/test/unit_test.hpp>

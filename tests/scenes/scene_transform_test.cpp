@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE scene_transform
 #include "scenes/scene_transform.hpp"
 
 #include <boost/test/unit_test.hpp>

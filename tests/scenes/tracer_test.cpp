@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE tracer
 #include "scenes/tracer.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE certified
 #include "subjects/certified.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE confirmation
 #include "subjects/libraries/confirmation.hpp"
 
 #include <unistd.h>

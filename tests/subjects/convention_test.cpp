@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE convention
 #include "subjects/convention.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE embree
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -62,7 +61,7 @@ Tally with_unit_directions(std::string_view family, int difficulty) {
 }
 
 /// Under sanitizers a child takes seconds to start.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef RAYAUDIT_SANITIZED
 constexpr bool is_watched = true;
 #else
 constexpr bool is_watched = false;

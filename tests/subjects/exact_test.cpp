@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE exact
 #include "subjects/exact.hpp"
 
 #include <unistd.h>

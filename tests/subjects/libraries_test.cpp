@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE libraries
 #include "subjects/libraries/libraries.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE peer
 #include "subjects/peer.hpp"
 
 #include <boost/test/unit_test.hpp>

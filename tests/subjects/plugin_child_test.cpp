@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE plugin_child
 #include "subjects/plugin_child.hpp"
 
 #include <fcntl.h>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE plugins
 #include "subjects/plugins.hpp"
 
 #include <unistd.h>

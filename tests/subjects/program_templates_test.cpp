@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE program_templates
 #include "subjects/libraries/program_templates.hpp"
 
 #include <boost/test/unit_test.hpp>

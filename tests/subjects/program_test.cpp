@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE program
 #include "subjects/program.hpp"
 
 #include <sys/wait.h>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE subject
 #include "subjects/subject.hpp"
 
 #include <algorithm>

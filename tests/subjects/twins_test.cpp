@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE twins
 #include "subjects/twins.hpp"
 
 #include <algorithm>

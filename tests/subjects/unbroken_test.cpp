@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE unbroken
 #include "subjects/unbroken.hpp"
 
 #include <algorithm>

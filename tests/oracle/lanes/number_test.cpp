@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE lane_numbers
 #include "oracle/lanes/number.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE cause
 #include "audit/cause.hpp"
 
 #include <array>

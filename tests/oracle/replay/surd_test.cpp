@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE surd
 #include "oracle/replay/surd.hpp"
 
 #include <CGAL/CORE/Expr.h>

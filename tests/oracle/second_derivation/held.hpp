@@ -170,6 +170,7 @@ void each_case(std::size_t shape, std::size_t count, V&& visit) {
 /// derivation, and the rounded t of every fourth. Each of the kinds must have been met.
 inline void hold(std::size_t shape, std::size_t count, Derivation derive,
                  std::initializer_list<oracle::Kind> kinds) {
+  count /= one_in;
   std::size_t held = 0, wrong = 0;
   std::array<std::size_t, 7> seen = {};
   each_case(shape, count, [&](std::string_view id, const Case& question) {

@@ -1,0 +1,2 @@
+// What the headers of tests are precompiled for.
+int main() {}
