@@ -115,7 +115,7 @@ bool is_known_sum(double sum, const Word<fused>& a) {
   return sum >= a.spread * 0x1p-40 && sum <= std::numeric_limits<double>::max();
 }
 inline bool is_known_sum(long double sum, const Surd<long double>& a) {
-  return sum >= a.spread * 0x1p-40L;
+  return sum >= a.spread * 0x1p-51L;
 }
 inline bool is_known_sum(const Fine&, const Surd<Fine>&) { return true; }
 

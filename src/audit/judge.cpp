@@ -8,8 +8,8 @@
 namespace rayaudit {
 namespace {
 
-/// The bits to which the roots of a case are asked for where a comparison hangs on them.
-constexpr int sharpest = 150;
+/// The bits to which the roots of a case are asked for; and where a comparison hangs on them.
+constexpr int sharp = 90, sharpest = 150;
 
 using oracle::Crossing;
 using oracle::Kind;
@@ -33,7 +33,9 @@ Claim claim_of(Standing standing) {
   return Claim::none;
 }
 
-Real absolute(const Real& x) { return sign(x) < 0 ? difference({}, x) : x; }
+Real absolute(const Real& x) {
+  return sign(x) < 0 ? Real{-x.high, -x.middle, -x.low, x.exponent} : x;
+}
 
 Real gap(const Real& a, const Real& b) { return absolute(difference(a, b)); }
 
@@ -136,57 +138,82 @@ void measure_point(Judgement& judgement, Settled& settled, const Answer& answer,
                                                       : Side::beyond;
 }
 
+/// How far a t is from the exact one.
+struct Off {
+  Real by, exact;
+  bool none;    ///< not at all
+  int spacing;  ///< the exponent of an ulp
+  double ulps;
+
+  Off(const Real& off, const Real& exactly, const Format& format)
+      : by(off),
+        exact(exactly),
+        none(sign(off) == 0),
+        spacing(spacing_exponent(exactly, format)),
+        ulps(none ? 0 : scaled(off, spacing)) {}
+};
+
 /// The errors of a t that was held against a crossing.
-void measure(Judgement& judgement, Settled& settled, const Answer& answer, const Real& t,
+void measure(Judgement& judgement, Settled& settled, const Answer& answer, const Off& off,
              const Format& format) {
   const Crossing& crossing = settled.truth().crossings()[judgement.crossing];
-  const Real exact = exact_t(t, crossing), off = gap(t, exact);
-  if (sign(off) == 0)
-    judgement.ulps = judgement.relative = 0;
-  else
-    judgement.ulps = scaled(off, spacing_exponent(exact, format));
-  if (sign(off) != 0 && sign(exact) != 0) judgement.relative = ratio(off, exact);
+  judgement.ulps = off.ulps;
+  if (off.none)
+    judgement.relative = 0;
+  else if (sign(off.exact) != 0)
+    judgement.relative = ratio(off.by, off.exact);
   if (crossing.kind != Kind::within) {
     const Real& forced = settled.sensitivity(judgement.crossing).forced;
     if (is_finite(forced)) {
       // Where every number that t hangs on is 0, rounding the case does nothing to it.
-      const double times = sign(off) == 0      ? 0
+      const double times = off.none            ? 0
                            : sign(forced) == 0 ? std::numeric_limits<double>::infinity()
-                                               : ratio(off, forced);
+                                               : ratio(off.by, forced);
       judgement.forced = std::ldexp(times, -format.unit_exponent());
       judgement.own = std::fmin(judgement.forced, judgement.ulps);
-      judgement.condition =
-          scaled(forced, spacing_exponent(exact, format) - format.unit_exponent());
+      judgement.condition = scaled(forced, off.spacing - format.unit_exponent());
     }
   }
   measure_point(judgement, settled, answer, format);
 }
 
-/// Is one gap smaller than another by more than t may be off, which is known to 2^-bits?
-bool is_surely_smaller(const Real& gap, const Real& other, const Real& t, int bits) {
-  const Real lead = difference(other, gap);
-  return sign(lead) > 0 && (sign(t) == 0 || ratio(lead, t) > std::ldexp(1.0, -bits));
+/// By how much one gap is smaller than another, relatively to t; negative where it is larger.
+double lead(const Real& gap, const Real& other, const Real& t) {
+  const Real by = difference(other, gap);
+  const int way = sign(by);
+  if (way == 0) return 0;
+  return way * (sign(t) == 0 ? std::numeric_limits<double>::infinity() : ratio(by, t));
 }
 
-/// The root that is not acceptable and yet nearer to t than every acceptable one, or null. Asked of
-/// roots so sharp that only an exact tie is left open; an acceptable root wins those.
-const oracle::Root* nearer_elsewhere(Settled& settled, const Choices& choices,
-                                     const Answer& answer) {
-  const Real t = claimed_t(settled.question(), answer, sharpest);
-  const oracle::Roots& roots = settled.roots();
-  std::optional<Real> accepted;
-  const oracle::Root* nearest = nullptr;
-  int crossing = 0;
-  for (const oracle::Root& root : roots.roots()) {
-    const bool listed = root.standing == Standing::acceptable;
-    if (listed && choices.accepts(crossing++)) {
-      if (!accepted || compare(gap(t, root.t), *accepted) < 0) accepted = gap(t, root.t);
-    } else if (nearest == nullptr || compare(gap(t, root.t), gap(t, nearest->t)) < 0) {
-      nearest = &root;
+/// How the root stands that is not acceptable and yet nearer to t than every acceptable one, if
+/// there is one. The roots are asked for again, so sharp that only an exact tie is left open, where
+/// it takes that; an acceptable root wins those.
+std::optional<Standing> nearer_elsewhere(Settled& settled, const Choices& choices,
+                                         const Answer& answer) {
+  for (const int bits : {sharp, sharpest}) {
+    const Real t = claimed_t(settled.question(), answer, bits);
+    const oracle::Roots roots =
+        bits == sharp ? settled.roots() : oracle::roots(settled.question(), bits);
+    std::optional<Real> accepted, refused;
+    Standing standing = {};
+    int crossing = 0;
+    for (const oracle::Root& root : roots.roots()) {
+      const Real off = gap(t, root.t);
+      const bool listed = root.standing == Standing::acceptable;
+      const bool is_accepted = listed && choices.accepts(crossing++);
+      std::optional<Real>& nearest = is_accepted ? accepted : refused;
+      if (nearest && compare(off, *nearest) >= 0) continue;
+      nearest = off;
+      if (!is_accepted) standing = root.standing;
+    }
+    if (!accepted || !refused) return {};
+    const double by = lead(*refused, *accepted, t);
+    if (std::fabs(by) > std::ldexp(1.0, 10 - bits)) {
+      if (by > 0) return standing;
+      return {};
     }
   }
-  if (nearest == nullptr || !accepted) return nullptr;
-  return is_surely_smaller(gap(t, nearest->t), *accepted, t, sharpest - 10) ? nearest : nullptr;
+  return {};
 }
 
 /// Is no root that is not acceptable anywhere near as close to t as the accepted gap? Answered from
@@ -195,7 +222,7 @@ bool is_surely_nearest(const oracle::Truth& truth, const Choices& choices, const
                        const Real& accepted) {
   constexpr int bits = 28;  // fewer than any t of a truth has
   const auto further = [&](const Real& root) {
-    return is_surely_smaller(accepted, gap(t, root), t, bits);
+    return lead(accepted, gap(t, root), t) > std::ldexp(1.0, -bits);
   };
   for (int i = 0; i < choices.refused_count; ++i)
     if (!further(truth.crossings()[choices.refused[i]].t)) return false;
@@ -203,68 +230,76 @@ bool is_surely_nearest(const oracle::Truth& truth, const Choices& choices, const
 }
 
 /// A t that is NaN or infinite, where a hit is acceptable.
-Judgement judge_not_finite(Judgement judgement, const oracle::Truth& truth, const Choices& choices,
-                           const Real& t, const Format& format) {
+void judge_not_finite(Judgement& judgement, const oracle::Truth& truth, const Choices& choices,
+                      const Real& t, const Format& format) {
   for (const int i : choices.list()) {
     const Crossing& crossing = truth.crossings()[i];
     if (is_infinite(t) && sign(t) == sign(crossing.t) && overflows(crossing.t, format)) {
       judgement.taken = i != choices.must;
       judgement.verdict = judgement.taken ? Verdict::touch : Verdict::right;
-      return judgement;
+      return;
     }
   }
   judgement.verdict = Verdict::not_finite;
   judgement.claim = is_nan(t) ? Claim::nan : Claim::infinite;
-  return judgement;
 }
 
 /// A finite t, where a hit is acceptable.
-Judgement judge_t(Judgement judgement, Settled& settled, const Choices& choices,
-                  const Answer& answer, const Real& t, const Format& format) {
+void judge_t(Judgement& judgement, Settled& settled, const Choices& choices, const Answer& answer,
+             const Real& t, const Format& format) {
   const oracle::Truth& truth = settled.truth();
   int nearest = choices.acceptable[0];
   Real off = gap(t, truth.crossings()[nearest]);
   for (const int i : choices.list().subspan(1))
     if (const Real other = gap(t, truth.crossings()[i]); compare(other, off) < 0)
       nearest = i, off = other;
-  const Real exact = exact_t(t, truth.crossings()[nearest]);
-  const bool within_an_ulp = scaled(off, spacing_exponent(exact, format)) <= 1;
+  const Off told(off, exact_t(t, truth.crossings()[nearest]), format);
+  const bool within_an_ulp = told.ulps <= 1;
   if (!within_an_ulp && !is_surely_nearest(truth, choices, t, off))
-    if (const oracle::Root* root = nearer_elsewhere(settled, choices, answer); root != nullptr) {
+    if (const auto standing = nearer_elsewhere(settled, choices, answer)) {
       judgement.verdict = Verdict::wrong_root;
-      judgement.claim = claim_of(root->standing);
-      return judgement;
+      judgement.claim = claim_of(*standing);
+      return;
     }
   judgement.crossing = nearest;
   judgement.taken = nearest != choices.must;
-  judgement.verdict = judgement.taken                      ? Verdict::touch
-                      : !within_an_ulp && is_far(t, exact) ? Verdict::wrong_t
-                                                           : Verdict::right;
-  measure(judgement, settled, answer, t, format);
-  return judgement;
+  judgement.verdict = judgement.taken                           ? Verdict::touch
+                      : !within_an_ulp && is_far(t, told.exact) ? Verdict::wrong_t
+                                                                : Verdict::right;
+  measure(judgement, settled, answer, told, format);
 }
 
-Judgement judge_yes(Judgement judgement, const Choices& choices) {
+void judge_yes(Judgement& judgement, const Choices& choices) {
   if (choices.must >= 0) {
     // Which of the crossings it meant, it does not say.
     judgement.touch.reset();
-    return judgement;
+  } else {
+    judgement.verdict = Verdict::touch;
+    judgement.taken = true;
   }
-  judgement.verdict = Verdict::touch;
-  judgement.taken = true;
-  return judgement;
 }
 
-Judgement judge_hit(Judgement judgement, Settled& settled, const Choices& choices,
-                    const Answer& answer, const Format& format) {
-  if (answer.form == Answer::Form::yes) {
-    if (choices.count > 0) return judge_yes(judgement, choices);
-    return {.verdict = Verdict::false_hit, .claim = claim_of_yes(settled)};
-  }
+/// A hit, where none is acceptable.
+void judge_false_hit(Judgement& judgement, Settled& settled, const Answer& answer,
+                     const Format& format) {
+  judgement.verdict = Verdict::false_hit;
+  judgement.claim =
+      answer.form == Answer::Form::yes
+          ? claim_of_yes(settled)
+          : claim_at(settled, claimed_t(settled.question(), answer, oracle::bits_for(format)));
+}
+
+void judge_hit(Judgement& judgement, Settled& settled, const Choices& choices, const Answer& answer,
+               const Format& format) {
+  if (choices.count == 0) return judge_false_hit(judgement, settled, answer, format);
+  if (answer.form == Answer::Form::yes) return judge_yes(judgement, choices);
+  if (answer.form == Answer::Form::hit && is_finite(answer.t))
+    return judge_t(judgement, settled, choices, answer, answer.t, format);
   const Real t = claimed_t(settled.question(), answer, oracle::bits_for(format));
-  if (choices.count == 0) return {.verdict = Verdict::false_hit, .claim = claim_at(settled, t)};
-  if (!is_finite(t)) return judge_not_finite(judgement, settled.truth(), choices, t, format);
-  return judge_t(judgement, settled, choices, answer, t, format);
+  if (is_finite(t))
+    judge_t(judgement, settled, choices, answer, t, format);
+  else
+    judge_not_finite(judgement, settled.truth(), choices, t, format);
 }
 
 /// Is the point told the first of the shape's own: its centre, or the centre of its base?
@@ -297,10 +332,9 @@ bool is_at_origin(const Ray<double>& ray, const Real& t) {
 
 /// A point that no ray need come near is told for "no hit"; so is the world origin, which a ray may
 /// well hit. Both slips have a name.
-Judgement with_sentinel(Judgement judgement, const Settled& settled, const Answer& answer) {
-  if (!is_wrong(judgement.verdict)) return judgement;
-  if (is_centre(settled.question(), answer)) judgement.claim = Claim::centre;
-  return judgement;
+void name_sentinel(Judgement& judgement, const Settled& settled, const Answer& answer) {
+  if (is_wrong(judgement.verdict) && is_centre(settled.question(), answer))
+    judgement.claim = Claim::centre;
 }
 
 /// Any answer but the start of the ray, where that is what is declared.
@@ -360,7 +394,7 @@ std::string_view name(Side side) {
 }
 
 const oracle::Roots& Settled::roots() {
-  if (!roots_) roots_ = oracle::roots(question_, sharpest);
+  if (!roots_) roots_ = oracle::roots(question_, sharp);
   return *roots_;
 }
 
@@ -430,16 +464,18 @@ Judgement judge(Settled& settled, const Answer& answer, const Format& format,
   if (convention.inside == Convention::Inside::start && comes_from_inside(settled))
     return judge_start(settled, answer, format);
   const Choices choices(settled, convention);
-  const Judgement judgement{.touch = choices.open_touch};
-  if (!miss)
-    return with_sentinel(judge_hit(judgement, settled, choices, answer, format), settled, answer);
-  if (choices.must >= 0) {
+  Judgement judgement{.touch = choices.open_touch};
+  if (!miss) {
+    judge_hit(judgement, settled, choices, answer, format);
+    name_sentinel(judgement, settled, answer);
+  } else if (choices.must >= 0) {
     const Real& t = settled.truth().crossings()[choices.must].t;
-    return {.verdict = Verdict::false_miss,
-            .claim = is_at_origin(settled.question().ray, t) ? Claim::origin : Claim::none,
-            .crossing = choices.must};
+    judgement = {.verdict = Verdict::false_miss,
+                 .claim = is_at_origin(settled.question().ray, t) ? Claim::origin : Claim::none,
+                 .crossing = choices.must};
+  } else if (choices.open_touch) {
+    judgement.verdict = Verdict::touch;
   }
-  if (choices.open_touch) return {.verdict = Verdict::touch, .touch = choices.open_touch};
   return judgement;
 }
 

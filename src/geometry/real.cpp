@@ -8,7 +8,9 @@
 
 namespace rayaudit {
 
+using real_detail::has_power;
 using real_detail::is_simple;
+using real_detail::power_of_two;
 using real_detail::room;
 using real_detail::two_sum;
 
@@ -39,12 +41,6 @@ void distil(std::array<W, n>& parts) {
     parts[1] = -parts[1];
   }
 }
-
-/// 2^e, for the exponents of normal numbers.
-double power_of_two(int e) {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
-}
-bool has_power(int e) { return e >= -1022 && e <= 1023; }
 
 /// std::ilogb, at once where x is normal.
 int exponent_of(double x) {
@@ -94,7 +90,7 @@ Real normal(const Real& x) {
 
 int real_detail::sign_of_three(const Real& x) { return sign_of(normal(x).high); }
 
-int binade(const Real& x) {
+int real_detail::any_binade(const Real& x) {
   const Real n = normal(x);
   return binade_of(n.high, sign_of(n.middle)) + n.exponent;
 }
@@ -143,17 +139,12 @@ template float nearest<float>(const Real&);
 template double nearest<double>(const Real&);
 template long double nearest<long double>(const Real&);
 
-int spacing_exponent(const Real& x, const Format& format) {
-  if (sign(x) == 0) return format.tiny_exponent();
-  return std::max(binade(x) - (format.precision - 1), format.tiny_exponent());
-}
-
 double ulps(const Real& got, const Real& exact, const Format& format) {
   if (is_infinite(got) && overflows(exact, format) && sign(got) == sign(exact)) return 0;
   return scaled(difference(got, exact), spacing_exponent(exact, format));
 }
 
-double scaled(const Real& x, int e) {
+double real_detail::any_scaled(const Real& x, int e) {
   const Real n = normal(x);
   const int shift = n.exponent - e;
   const double quick = has_power(shift) ? std::abs(n.high) * power_of_two(shift)

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "geometry/format.hpp"
 
@@ -64,8 +67,19 @@ inline bool is_simple(const Real& x) {
   return x.low == 0 && std::abs(x.high) < room && std::abs(x.middle) < room;
 }
 
+/// 2^e, for the exponents of normal numbers.
+inline double power_of_two(int e) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
+}
+inline bool has_power(int e) { return e >= -1022 && e <= 1023; }
+
+/// Is high all that a double can say of it?
+inline bool is_led(const Real& x) { return x.low == 0 && x.high + x.middle == x.high; }
+
 int sign_of_three(const Real& x);
 Real any_difference(const Real& a, const Real& b);
+int any_binade(const Real& x);
+double any_scaled(const Real& x, int e);
 
 }  // namespace real_detail
 
@@ -81,7 +95,13 @@ inline int sign(const Real& x) {
 Real normal(const Real& x);
 
 /// The largest e with 2^e <= |x|; x finite and not 0.
-int binade(const Real& x);
+inline int binade(const Real& x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x.high);
+  const int biased = static_cast<int>(bits >> 52 & 0x7ff);
+  const bool is_power = (bits & 0xf'ffff'ffff'ffff) == 0;  // the middle may lie below it
+  if (biased == 0 || is_power || !real_detail::is_led(x)) return real_detail::any_binade(x);
+  return biased - 1023 + x.exponent;
+}
 
 /// a - b, in normal form, to 2^-100 of the larger operand and exactly where it cancels to a few
 /// leading bits; saturates to an infinity where the exponents of a and b differ by over 2,000.
@@ -99,7 +119,9 @@ inline Real difference(const Real& a, const Real& b) {
 
 /// The sign of a - b, as exact as difference.
 inline int compare(const Real& a, const Real& b) {
-  if (is_finite(a) && is_finite(b)) return sign(difference(a, b));
+  const bool are_doubles = a.middle == 0 && b.middle == 0 && a.low == 0 && b.low == 0;
+  if (is_finite(a) && is_finite(b) && !(are_doubles && a.exponent == b.exponent))
+    return sign(difference(a, b));
   return (a.high > b.high) - (a.high < b.high);
 }
 
@@ -110,13 +132,23 @@ N nearest(const Real& x);
 
 /// Exponent e of the spacing 2^e of the format at x: that of x's binade, never below the smallest
 /// subnormal.
-int spacing_exponent(const Real& x, const Format& format);
+inline int spacing_exponent(const Real& x, const Format& format) {
+  if (sign(x) == 0) return format.tiny_exponent();
+  return std::max(binade(x) - (format.precision - 1), format.tiny_exponent());
+}
 
 /// |got - exact| in ulps of the format at exact: a correctly rounded got has at most 0.5.
 double ulps(const Real& got, const Real& exact, const Format& format);
 
 /// |x| 2^-e as a double; saturates to infinity, and to 0 below the range of double.
-double scaled(const Real& x, int e);
+inline double scaled(const Real& x, int e) {
+  const int shift = x.exponent - e;
+  if (real_detail::is_led(x) && real_detail::has_power(shift)) {
+    const double quick = std::abs(x.high) * real_detail::power_of_two(shift);
+    if (quick < 0x1p1000 && quick > 0x1p-900) return quick;
+  }
+  return real_detail::any_scaled(x, e);
+}
 
 /// Does |x| round to infinity in the format?
 bool overflows(const Real& x, const Format& format);
