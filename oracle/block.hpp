@@ -12,6 +12,11 @@ namespace rayaudit::oracle {
 /// Cases are settled in blocks: one switch of the rounding mode for all of a block's intervals.
 constexpr std::size_t block = 64;
 
+/// Some of the cases of a block: the i-th by bit i.
+using Some = std::uint64_t;
+
+constexpr Some one(std::size_t i) { return Some{1} << i; }
+
 /// A block on its way through the stages: the valid cases, scaled where they must be.
 struct Block {
   std::array<const Case*, block> asked;
@@ -33,6 +38,16 @@ struct Block {
     const Scaled& scale = scales.emplace_back(scaled(question));
     if (scale.exact) add(scale.question, at, scale.t_exponent());
     return scale.exact;
+  }
+  /// Lets go of those that are settled.
+  void leave_out(Some settled) {
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if ((settled & one(place[i])) != 0) continue;
+      asked[left] = asked[i], place[left] = place[i], t_exponent[left] = t_exponent[i];
+      ++left;
+    }
+    count = left;
   }
 
  private:

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "geometry/real.hpp"
@@ -117,6 +119,11 @@ inline constexpr double upward = 1 + 0x1p-48;
           a.high > 2 * a.error && a.high > 0x1p-900
               ? error * double_word::upward + double_word::underflow
               : std::numeric_limits<double>::infinity()};
+}
+
+/// 2^exponent, which is a normal double.
+constexpr double power_of_two(int exponent) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
 /// 2 a, without a rounding.

@@ -60,21 +60,34 @@ namespace rayaudit::oracle {
 /// A number of a case as the constant polynomial that a field takes.
 template <class N>
 struct AsConstant {
-  Polynomial<N, 0> operator()(double x) const { return {{N(x)}}; }
-  Vec3<Polynomial<N, 0>> operator()(const Vec3<double>& v) const {
-    return {(*this)(v.x), (*this)(v.y), (*this)(v.z)};
-  }
+  Polynomial<N, 0> operator()(const N& x) const { return {{x}}; }
+  Vec3<Polynomial<N, 0>> operator()(const Vec3<N>& v) const { return {{v.x}, {v.y}, {v.z}}; }
 };
 
 /// The field and side conditions of a shape along o + t d, as polynomials in t over N.
 template <class N, template <class> class S>
-[[gnu::always_inline]] inline auto along_ray(const Ray<double>& ray, const S<double>& shape) {
-  const auto& [o, d] = std::tie(ray.origin, ray.direction);
-  const Vec3<Polynomial<N, 1>> p = {{{N(o.x), N(d.x)}}, {{N(o.y), N(d.y)}}, {{N(o.z), N(d.z)}}};
+[[gnu::always_inline]] inline auto along_line(const Vec3<N>& o, const Vec3<N>& d,
+                                              const S<N>& shape) {
+  const Vec3<Polynomial<N, 1>> p = {{{o.x, d.x}}, {{o.y, d.y}}, {{o.z, d.z}}};
   const auto constants =
       std::apply([](const auto&... part) { return S<Polynomial<N, 0>>{AsConstant<N>{}(part)...}; },
                  shape.parts());
   return patch(constants, p);
+}
+
+template <class N>
+struct AsNumber {
+  N operator()(double x) const { return N(x); }
+  Vec3<N> operator()(const Vec3<double>& v) const { return {N(v.x), N(v.y), N(v.z)}; }
+};
+
+/// The same of a case in doubles.
+template <class N, template <class> class S>
+[[gnu::always_inline]] inline auto along_ray(const Ray<double>& ray, const S<double>& shape) {
+  const AsNumber<N> number;
+  return along_line(
+      number(ray.origin), number(ray.direction),
+      std::apply([&](const auto&... part) { return S<N>{number(part)...}; }, shape.parts()));
 }
 
 }  // namespace rayaudit::oracle

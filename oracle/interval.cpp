@@ -9,8 +9,8 @@ namespace {
 template <template <class> class S>
 Outline outline(const Ray<double>& ray, const S<double>& shape, Extent extent) {
   Signs<Interval> sign;
-  Outline found = settle<S<double>, Interval>(along_ray<Interval>(ray, shape), Range<Interval>(ray),
-                                              sign, extent, false);
+  Outline found =
+      settle<S<double>>(along_ray<Interval>(ray, shape), Range<Interval>(ray), sign, extent, false);
   // Where the stretch within the surface begins and ends is left to exact numbers.
   found.unsure |= found.within;
   return found;

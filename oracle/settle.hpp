@@ -64,23 +64,31 @@ struct Range {
         start(has_start ? ray.t_min : 0),
         end(has_end ? ray.t_max : 0) {}
 
+  /// What vanishes at an end and is positive within the range.
+  Polynomial<N, 1> above_start() const { return {{N(-start), N(1)}}; }
+  Polynomial<N, 1> below_end() const { return {{end, N(-1)}}; }
+
   bool starts_at_zero, has_start, has_end;
   N start, end;
 };
 
 /// The roots of a linear F = c0 + c1 t, c1 != 0.
-template <class N>
+template <class N, class Sign = Signs<N>>
 struct LinearRoot {
   const N &c0, &c1;
   int sign_c1;
-  Signs<N>& sign;
+  Sign& sign;
 
   Which which() const { return Which::linear; }
 
   /// The sign of g at the root, from g0 c1 - g1 c0.
-  int at(const Polynomial<N, 1>& g) const { return sign(g.c[0] * c1 - g.c[1] * c0) * sign_c1; }
+  template <class M>
+  int at(const Polynomial<M, 1>& g) const {
+    return sign(g.c[0] * c1 - g.c[1] * c0) * sign_c1;
+  }
   /// The sign of g at the root, from g0 c1^2 - g1 c0 c1 + g2 c0^2.
-  int at(const Polynomial<N, 2>& g) const {
+  template <class M>
+  int at(const Polynomial<M, 2>& g) const {
     return sign(g.c[0] * squared(c1) - g.c[1] * (c0 * c1) + g.c[2] * squared(c0));
   }
   /// The sign of t itself.
@@ -89,20 +97,21 @@ struct LinearRoot {
 
 /// One root of a quadratic F = C + B t + A t^2, A != 0, D = B^2 - 4 A C >= 0:
 /// t = (-B + e sqrt(D)) / 2A, with e = -sign(A) for the smaller root and sign(A) for the larger.
-template <class N>
+template <class N, class Sign = Signs<N>>
 struct QuadraticRoot {
   const Polynomial<N, 2>& f;
   int sign_a;
   Which root;
-  Signs<N>& sign;
+  Sign& sign;
 
   Which which() const { return root; }
 
   /// The sign of g = g0 + g1 t at the root: that of A (P + e g1 sqrt(D)), P = 2 A g0 - g1 B. Where
   /// the two terms disagree it is decided by P^2 - g1^2 D = 4 A R, R = A g0^2 - B g0 g1 + C g1^2.
-  int at(const Polynomial<N, 1>& g) const {
-    const N &g0 = g.c[0], &g1 = g.c[1];
-    const N ag0 = f.c[2] * g0;
+  template <class M>
+  int at(const Polynomial<M, 1>& g) const {
+    const M &g0 = g.c[0], &g1 = g.c[1];
+    const auto ag0 = f.c[2] * g0;
     const int sign_p = sign(twice(ag0) - g1 * f.c[1]);
     if (root == Which::twofold) return sign_a * sign_p;
     return combined(sign_p, sign(g1),
@@ -125,24 +134,28 @@ struct QuadraticRoot {
   }
 };
 
+template <class N>
+[[gnu::always_inline]] inline auto discriminant(const Polynomial<N, 2>& f) {
+  return squared(f.c[1]) - twice(twice(ProductOf<N, N>(f.c[2] * f.c[0])));
+}
+
 /// Where a root stands against the range: how t lies to either end.
-template <class N, class Root>
 struct InRange {
   int from_start = 1, to_end = 1;
 
-  InRange(const Root& root, const Range<N>& range) {
+  template <class Root, class R>
+  InRange(const Root& root, const R& range) {
     if (range.has_start)
-      from_start =
-          range.starts_at_zero ? root.of_t() : root.at(Polynomial<N, 1>{{N(-range.start), N(1)}});
+      from_start = range.starts_at_zero ? root.of_t() : root.at(range.above_start());
     if (from_start < 0) return;
-    if (range.has_end) to_end = root.at(Polynomial<N, 1>{{range.end, N(-1)}});
+    if (range.has_end) to_end = root.at(range.below_end());
   }
 };
 
 /// Where a root stands against the range and the side conditions that count.
-template <class S, class N, class Root, class G, std::size_t sides>
+template <class S, class Root, class G, std::size_t sides, class R>
 Outlined outlined(const Root& root, bool opens_outward, const std::array<G, sides>& side,
-                  const Range<N>& range, Extent extent) {
+                  const R& range, Extent extent) {
   constexpr int apex = apex_side<S>;
   Outlined found{.which = root.which(),
                  .kind = root.which() == Which::twofold ? Kind::tangent : Kind::proper};
@@ -150,7 +163,7 @@ Outlined outlined(const Root& root, bool opens_outward, const std::array<G, side
     found.standing = why;
     return found;
   };
-  const InRange<N, Root> in_range(root, range);
+  const InRange in_range(root, range);
   if (in_range.from_start < 0) return rejected(Standing::behind);
   if (in_range.to_end < 0) return rejected(Standing::past);
   for (int i = 0; i < static_cast<int>(sides); ++i) {
@@ -178,30 +191,31 @@ inline bool add(Outline& outline, Outlined root) {
   return root.is_proper_hit();
 }
 
-template <class S, class N, class G, std::size_t sides>
+template <class S, class N, class G, std::size_t sides, class R, class Sign>
 void settle_linear(Outline& outline, const N& c0, const N& c1, const std::array<G, sides>& side,
-                   const Range<N>& range, Signs<N>& sign, Extent extent) {
+                   const R& range, Sign& sign, Extent extent) {
   const int sign_c1 = sign(c1);
   if (sign_c1 != 0)
-    add(outline, outlined<S, N>(LinearRoot<N>{c0, c1, sign_c1, sign}, false, side, range, extent));
+    add(outline,
+        outlined<S>(LinearRoot<N, Sign>{c0, c1, sign_c1, sign}, false, side, range, extent));
   else
     outline.within = sign(c0) == 0;
 }
 
 /// The outline of a case: its roots up to the first proper crossing or, where all is asked, every
 /// one. Roots that are no crossings are listed too, each with its standing.
-template <class S, class N, class G, std::size_t sides>
-Outline settle_open(const Patch<Polynomial<N, 1>, G, sides>& patch, const Range<N>& range,
-                    Signs<N>& sign, Extent extent, bool /*all*/) {
+template <class S, class N, class G, std::size_t sides, class R, class Sign>
+Outline settle_open(const Patch<Polynomial<N, 1>, G, sides>& patch, const R& range, Sign& sign,
+                    Extent extent, bool /*all*/) {
   Outline outline;
   settle_linear<S>(outline, patch.field.c[0], patch.field.c[1], patch.side, range, sign, extent);
   outline.unsure = sign.unsure;
   return outline;
 }
 
-template <class S, class N, class G, std::size_t sides>
-Outline settle_open(const Patch<Polynomial<N, 2>, G, sides>& patch, const Range<N>& range,
-                    Signs<N>& sign, Extent extent, bool all) {
+template <class S, class N, class G, std::size_t sides, class R, class Sign>
+Outline settle_open(const Patch<Polynomial<N, 2>, G, sides>& patch, const R& range, Sign& sign,
+                    Extent extent, bool all) {
   const auto& [c, b, a] = patch.field.c;
   Outline outline;
   const int sign_a = sign(a);
@@ -211,12 +225,12 @@ Outline settle_open(const Patch<Polynomial<N, 2>, G, sides>& patch, const Range<
     outline.unsure = sign.unsure;
     return outline;
   }
-  const int sign_d = sign(squared(b) - twice(twice(N(a * c))));
+  const int sign_d = sign(discriminant(patch.field));
   if (sign.unsure) return {.unsure = true};
   if (sign_d < 0) return outline;
   const auto root = [&](Which which) {
-    return outlined<S, N>(QuadraticRoot<N>{patch.field, sign_a, which, sign}, sign_a > 0,
-                          patch.side, range, extent);
+    return outlined<S>(QuadraticRoot<N, Sign>{patch.field, sign_a, which, sign}, sign_a > 0,
+                       patch.side, range, extent);
   };
   if (sign_d == 0) {
     add(outline, root(Which::twofold));
@@ -236,11 +250,10 @@ Outline settle_open(const Patch<Polynomial<N, 2>, G, sides>& patch, const Range<
 /// stretch in common with it: of the points on the surface the first enters and the second leaves,
 /// whatever patches they are on, and a single one only touches. A root is held against a cap's by
 /// the sign of the cap's side condition at it, so that no two roots are ever compared.
-template <class S, class N, std::size_t sides>
+template <class S, class N, class M, std::size_t sides, class R, class Sign>
 class Closed {
  public:
-  Closed(const Patch<Polynomial<N, 2>, Polynomial<N, 1>, sides>& patch, const Range<N>& range,
-         Signs<N>& sign)
+  Closed(const Patch<Polynomial<N, 2>, Polynomial<M, 1>, sides>& patch, const R& range, Sign& sign)
       : field_(patch.field), side_(patch.side), range_(range), sign_(sign) {}
 
   Outline outline() {
@@ -270,13 +283,13 @@ class Closed {
     if (sign_a == 0) {
       const int sign_b = sign_(b);
       if (sign_b == 0) return sign_(c) != 0;
-      meet_lateral(LinearRoot<N>{c, b, sign_b, sign_});
+      meet_lateral(LinearRoot<N, Sign>{c, b, sign_b, sign_});
       return true;
     }
-    const int sign_d = sign_(squared(b) - twice(twice(N(a * c))));
+    const int sign_d = sign_(discriminant(field_));
     if (sign_.unsure || sign_d < 0) return true;
     const auto meet = [&](Which which) {
-      meet_lateral(QuadraticRoot<N>{field_, sign_a, which, sign_});
+      meet_lateral(QuadraticRoot<N, Sign>{field_, sign_a, which, sign_});
     };
     if (sign_d == 0) {
       meet(Which::twofold);
@@ -308,7 +321,7 @@ class Closed {
 
   void meet_cap(int i) {
     const auto& [g0, g1] = side_[i].c;
-    const LinearRoot<N> root{g0, g1, rise_[i], sign_};
+    const LinearRoot<M, Sign> root{g0, g1, rise_[i], sign_};
     const int f = root.at(field_);
     Met met;
     met.root.kind = f == 0 ? Kind::rim : Kind::proper;
@@ -329,7 +342,7 @@ class Closed {
 
   template <class Root>
   void hold_against_range(Met& met, const Root& root) const {
-    const InRange<N, Root> in_range(root, range_);
+    const InRange in_range(root, range_);
     met.from_start = in_range.from_start, met.to_end = in_range.to_end;
   }
 
@@ -357,23 +370,29 @@ class Closed {
   }
 
   const Polynomial<N, 2>& field_;
-  const std::array<Polynomial<N, 1>, sides>& side_;
-  const Range<N>& range_;
-  Signs<N>& sign_;
+  const std::array<Polynomial<M, 1>, sides>& side_;
+  const R& range_;
+  Sign& sign_;
   std::array<int, sides> rise_ = {};  ///< of a cap: the sign of the slope of its side condition
   std::array<Met, Truth::most_roots> met_;
   int count_ = 0;
   Which lateral_ = Which::linear;
 };
 
+template <class S, class N, class M, std::size_t sides, class R, class Sign>
+Outline outline_of_closed(const Patch<Polynomial<N, 2>, Polynomial<M, 1>, sides>& patch,
+                          const R& range, Sign& sign) {
+  return Closed<S, N, M, sides, R, Sign>(patch, range, sign).outline();
+}
+
 /// The outline of a case of the shape S. Of an open shape up to the first proper crossing, unless
 /// all is asked; of a closed one always all.
-template <class S, class N, class P>
-Outline settle(const P& patch, const Range<N>& range, Signs<N>& sign, Extent extent, bool all) {
+template <class S, class P, class R, class Sign>
+Outline settle(const P& patch, const R& range, Sign& sign, Extent extent, bool all) {
   if constexpr (caps<S> != 0)
-    return Closed<S, N, std::tuple_size_v<decltype(patch.side)>>(patch, range, sign).outline();
+    return outline_of_closed<S>(patch, range, sign);
   else
-    return settle_open<S, N>(patch, range, sign, extent, all);
+    return settle_open<S>(patch, range, sign, extent, all);
 }
 
 /// The field of a cap, which is linear.

@@ -28,12 +28,24 @@ Truth exact_truth(const Case& question, int bits) {
   return truth;
 }
 
+/// Written member by member: a copy of what was just written waits for it.
+void set(Real& t, double high, double middle, int exponent) {
+  t.high = high, t.middle = middle, t.low = 0, t.exponent = exponent;
+}
+void add_crossing(Truth& truth, Kind kind, std::uint8_t patch, double high, double middle,
+                  int exponent) {
+  Crossing& crossing = truth.listed[truth.count++];
+  crossing.kind = kind, crossing.patch = patch;
+  set(crossing.t, high, middle, exponent);
+  set(crossing.t_last, high, middle, exponent);
+}
+
 /// The roots that are no crossings, where the bounds know them well.
 void fill_others(Truth& truth, const Outline& outline, const Values& values, int t_exponent) {
   truth.others_known = true;
   const auto add = [&](const Bounded& t) {
     truth.others_known = truth.others_known && known_to(t, 0x1p-60);
-    truth.other_roots[truth.other_count++] = {t.high, t.low, 0, t_exponent};
+    set(truth.other_roots[truth.other_count++], t.high, t.low, t_exponent);
   };
   for (int j = 0; j < outline.count; ++j)
     if (outline.listed[j].standing != Standing::acceptable) add(values[outline.listed[j].place()]);
@@ -49,23 +61,37 @@ bool fill(Truth& truth, const Case& question, const Outline& outline, const Valu
   for (int j = 0; j < outline.count; ++j) {
     const Outlined& root = outline.listed[j];
     if (root.standing != Standing::acceptable) continue;
-    const Kind kind = root.kind;
     const Bounded& known = values[root.place()];
-    Real t{known.high, known.low, 0, t_exponent};
-    if (kind == Kind::start || kind == Kind::end)
-      t = {kind == Kind::start ? question.ray.t_min : question.ray.t_max, 0, 0, t_exponent};
-    else if (!known_to(known, relative))
+    if (root.kind == Kind::start)
+      add_crossing(truth, root.kind, root.patch, question.ray.t_min, 0, t_exponent);
+    else if (root.kind == Kind::end)
+      add_crossing(truth, root.kind, root.patch, question.ray.t_max, 0, t_exponent);
+    else if (known_to(known, relative))
+      add_crossing(truth, root.kind, root.patch, known.high, known.low, t_exponent);
+    else
       return false;
-    truth.listed[truth.count++] = {kind, t, t, root.patch};
   }
   if (truth.count > 0) fill_others(truth, outline, values, t_exponent);
   return true;
 }
 
-/// Some of the cases of a block: the i-th by bit i.
-using Some = std::uint64_t;
-
-constexpr Some one(std::size_t i) { return Some{1} << i; }
+/// The same of what integers find.
+bool fill(Truth& truth, const Case& question, const InIntegers& found, double relative,
+          int t_exponent) {
+  const auto& [outline, unused, stretch, values] = found;
+  if (!outline.within) return fill(truth, question, outline, values, relative, t_exponent);
+  bool known = true;
+  const auto real = [&](const StretchEnd& end, double of_range, const Bounded& t) -> Real {
+    if (end.side < 0) return {of_range, 0, 0, std::isinf(of_range) ? 0 : t_exponent};
+    known = known && known_to(t, relative);
+    return {t.high, t.low, 0, t_exponent};
+  };
+  if (stretch.empty) return true;
+  const Real first = real(stretch.first, question.ray.t_min, values[0]);
+  const Real last = real(stretch.last, question.ray.t_max, values[1]);
+  truth.listed[truth.count++] = {Kind::within, first, last, outline.patch};
+  return known;
+}
 
 /// Calls visit(i) for each of them, in order.
 template <class Visit>
@@ -105,8 +131,76 @@ InLanes put_to_lanes(std::span<const Case> cases, Some left, std::span<Truth> tr
   return found;
 }
 
-/// What lanes leave: by intervals, where those do not tell by wider lanes, and at last exactly.
-void settle_rest(std::span<const Case> cases, Some rest, Some fitting, std::span<Truth> truths,
+/// Notes who decided; where t is not filled in as well as is asked, exact numbers do it.
+void conclude(Truth& truth, const Case& question, bool filled, int bits, Stage stage) {
+  if (!filled) truth = exact_truth(question, bits);
+  truth.stage = stage;
+}
+
+/// Settles one case by integers where those take no more bits than allowed.
+bool settle_by_integers(const Case& asked, const Case& given, int t_exponent, int most_bits,
+                        InIntegers& found, Truth& truth, int bits) {
+  if (!settle_in_integers(asked, most_bits, false, found)) return false;
+  const bool filled = fill(truth, asked, found, power_of_two(-bits), t_exponent);
+  conclude(truth, given, filled, bits, Stage::integers);
+  return true;
+}
+
+/// Those of some cases that are short enough to be settled by integers sooner than by anything.
+Some settle_short(std::span<const Case> cases, Some some, std::span<Truth> truths, int bits) {
+  constexpr int most_bits = 18;
+  Some settled = 0;
+  InIntegers found;
+  each(some, [&](std::size_t i) {
+    if (invalid(cases[i], true) != Invalid::no) return;  // what is not finite is not short
+    truths[i].clear();
+    if (settle_by_integers(cases[i], cases[i], 0, most_bits, found, truths[i], bits))
+      settled |= one(i);
+  });
+  return settled;
+}
+
+/// Those of a block that integers of any width settle.
+Some settle_by_integers(std::span<const Case> cases, const Block& in, Some some,
+                        std::span<Truth> truths, int bits) {
+  Some settled = 0;
+  InIntegers found;
+  for (std::size_t i = 0; i < in.count; ++i) {
+    const std::size_t at = in.place[i];
+    if ((some & one(at)) != 0 && settle_by_integers(*in.asked[i], cases[at], in.t_exponent[i],
+                                                    most_bits_in_integers, found, truths[at], bits))
+      settled |= one(at);
+  }
+  return settled;
+}
+
+/// By intervals; where those do not tell by integers, and at last exactly.
+void settle_by_intervals(std::span<const Case> cases, const Block& in, std::span<Truth> truths,
+                         int bits) {
+  std::array<Outline, block> outlines;
+  std::array<Values, block> values;
+  const std::span asked = in.cases();
+  outline_by_intervals(asked, outlines);
+  Some unsure = 0;
+  for (std::size_t i = 0; i < in.count; ++i)
+    if (outlines[i].unsure) unsure |= one(in.place[i]);
+  const Some settled = settle_by_integers(cases, in, unsure, truths, bits);
+  for (std::size_t i = 0; i < in.count; ++i)
+    if ((unsure & ~settled & one(in.place[i])) != 0) outlines[i] = outline_exactly(*asked[i]);
+  values_by_bounds(asked, outlines, values);
+  const double relative = power_of_two(-bits);
+  for (std::size_t i = 0; i < in.count; ++i) {
+    const std::size_t at = in.place[i];
+    if ((settled & one(at)) != 0) continue;
+    const bool filled = !outlines[i].within && fill(truths[at], *asked[i], outlines[i], values[i],
+                                                    relative, in.t_exponent[i]);
+    conclude(truths[at], cases[at], filled, bits,
+             (unsure & one(at)) != 0 ? Stage::exact : Stage::interval);
+  }
+}
+
+/// What lanes leave. What may be a tie is one, most often, and intervals would not tell.
+void settle_rest(std::span<const Case> cases, Some rest, Some doubtful, std::span<Truth> truths,
                  int bits) {
   Block in;
   each(rest, [&](std::size_t i) {
@@ -116,42 +210,33 @@ void settle_rest(std::span<const Case> cases, Some rest, Some fitting, std::span
     if (truths[i].invalid == Invalid::no && !in.ask(cases[i], i, moderate))
       truths[i] = exact_truth(cases[i], bits);
   });
-  if (in.count == 0) return;
-  std::array<Outline, block> outlines;
-  std::array<Stage, block> stages;
-  std::array<Values, block> values;
-  const std::span asked = in.cases();
-  outline_by_intervals(asked, outlines);
-  Some unsure = 0;
-  for (std::size_t i = 0; i < in.count; ++i)
-    if (outlines[i].unsure) unsure |= one(in.place[i]) & fitting;
-  const Some settled = put_to_lanes(cases, unsure, truths, bits, Words::three).settled;
-  const auto is_settled = [&](std::size_t i) { return (settled >> in.place[i] & 1U) != 0; };
-  for (std::size_t i = 0; i < in.count; ++i) {
-    stages[i] = outlines[i].unsure ? Stage::exact : Stage::interval;
-    if (outlines[i].unsure && !is_settled(i)) outlines[i] = outline_exactly(*asked[i]);
-  }
-  values_by_bounds(asked, outlines, values);
-  const double relative = std::ldexp(1.0, -bits);
-  for (std::size_t i = 0; i < in.count; ++i) {
-    if (is_settled(i)) continue;
-    Truth& truth = truths[in.place[i]];
-    if (outlines[i].within ||
-        !fill(truth, *asked[i], outlines[i], values[i], relative, in.t_exponent[i]))
-      truth = exact_truth(cases[in.place[i]], bits);
-    truth.stage = stages[i];
-  }
+  in.leave_out(settle_by_integers(cases, in, doubtful, truths, bits));
+  if (in.count != 0) settle_by_intervals(cases, in, truths, bits);
 }
 
 void settle_block(std::span<const Case> cases, std::span<Truth> truths, int bits) {
   const Some all = ~Some{0} >> (block - cases.size()), fitting = that_fit_lanes(cases, bits);
-  const InLanes found = put_to_lanes(cases, fitting, truths, bits, Words::two);
-  Some settled = found.settled;
-  // What is no tie, but not known well enough.
-  const Some close = fitting & ~settled & ~found.doubtful;
-  settled |= put_to_lanes(cases, close, truths, bits, Words::three).settled;
-  // What three words do not know either is no question for them a second time.
-  if (settled != all) settle_rest(cases, all & ~settled, fitting & found.doubtful, truths, bits);
+  const InLanes narrow = put_to_lanes(cases, fitting, truths, bits, Words::two);
+  Some settled = narrow.settled;
+  settled |= settle_short(cases, fitting & narrow.doubtful & ~settled, truths, bits);
+  const InLanes wide = put_to_lanes(cases, fitting & ~settled, truths, bits, Words::three);
+  settled |= wide.settled;
+  if (settled != all) settle_rest(cases, all & ~settled, fitting & wide.doubtful, truths, bits);
+}
+
+/// Every root, where integers of a fixed width know it well enough.
+std::optional<Roots> roots_by_integers(const Case& question, int bits) {
+  const Scaled scale = is_moderate(question) ? Scaled{question} : scaled(question);
+  InIntegers found;
+  if (!settle_in_integers(scale.question, most_bits_in_integers, true, found)) return {};
+  Roots listed{.constant = found.constant};
+  for (const Outlined& root : std::span(found.outline.listed.data(), found.outline.count)) {
+    const Bounded& t = found.values[root.place()];
+    if (!known_to(t, power_of_two(-bits))) return {};
+    listed.listed[listed.count++] = {
+        {t.high, t.low, 0, scale.t_exponent()}, root.standing, root.kind};
+  }
+  return listed;
 }
 
 /// The exact t of a crossing: of the roots of its kind, the one nearest to the t it holds.
@@ -192,7 +277,7 @@ std::string_view name(Invalid invalid) {
 
 std::string_view name(Stage stage) {
   constexpr std::array<std::string_view, stage_count> names = {"lanes", "wide_lanes", "interval",
-                                                               "exact"};
+                                                               "integers", "exact"};
   return names[static_cast<std::size_t>(stage)];
 }
 
@@ -225,6 +310,7 @@ Truth truth(const Case& question, int bits) {
 }
 
 Roots roots(const Case& question, int bits) {
+  if (const auto found = roots_by_integers(question, bits)) return *found;
   const ExactRoots found = exact_roots(question, true);
   Roots listed{.constant = found.constant};
   for (const ExactRoot& root : std::span(found.listed.data(), found.count))

@@ -51,10 +51,10 @@ struct Crossing {
   std::uint8_t patch = 0;
 };
 
-/// Which arithmetic decided: numbers of two words in lanes, of three, CGAL's intervals, or exact
-/// numbers.
-enum class Stage : std::uint8_t { lanes, wide_lanes, interval, exact };
-inline constexpr std::size_t stage_count = 4;
+/// Which arithmetic decided: numbers of two words in lanes, of three, CGAL's intervals, integers of
+/// a fixed width, or exact numbers of any.
+enum class Stage : std::uint8_t { lanes, wide_lanes, interval, integers, exact };
+inline constexpr std::size_t stage_count = 5;
 std::string_view name(Stage stage);
 
 /// The crossings up to and including the first proper one, in order along the ray. Acceptable are

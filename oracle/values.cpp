@@ -14,7 +14,7 @@ namespace {
 /// m / 2A and 2C / m, neither of which cancels.
 [[gnu::always_inline]] inline Values quadratic_roots(const Polynomial<Bounded, 2>& f) {
   const auto& [c, b, a] = f.c;
-  const Bounded root = sqrt(squared(b) - twice(twice(a * c)));
+  const Bounded root = sqrt(discriminant(f));
   const bool positive = b.high >= 0;
   const Bounded m = positive ? -(b + root) : root - b;
   const Bounded by_a = m / twice(a), by_c = twice(c) / m;

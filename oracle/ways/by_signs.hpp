@@ -149,7 +149,7 @@ Answer answer_in(const Ray<double>& ray, const S<double>& shape, Extent extent, 
                  const T& t_of) {
   const auto patch = along_ray<N>(ray, shape);
   Signs<N> sign;
-  const Outline outline = settle<S<double>, N>(patch, Range<N>(ray), sign, extent, false);
+  const Outline outline = settle<S<double>>(patch, Range<N>(ray), sign, extent, false);
   const Outlined* hit = outline.proper_hit();
   if (hit == nullptr) return Answer::miss();
   const auto t = [&](const auto& root, double guess) {

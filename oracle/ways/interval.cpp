@@ -62,7 +62,7 @@ template <class N, template <class> class S>
 Said<N> said(const Ray<double>& ray, const S<double>& shape, Extent extent) {
   const auto patch = along_ray<N>(ray, shape);
   Signs<N> sign;
-  const Outline outline = settle<S<double>, N>(patch, Range<N>(ray), sign, extent, false);
+  const Outline outline = settle<S<double>>(patch, Range<N>(ray), sign, extent, false);
   if (outline.unsure) return {.unsure = true};
   const Outlined* hit = outline.proper_hit();
   if (hit == nullptr) return {};

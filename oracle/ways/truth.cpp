@@ -10,7 +10,7 @@ namespace {
 
 /// As subjects count their stages, from 1: lanes, intervals, exact numbers.
 std::uint8_t counted(Stage stage) {
-  if (stage == Stage::exact) return 3;
+  if (stage == Stage::integers || stage == Stage::exact) return 3;
   return stage == Stage::interval ? 2 : 1;
 }
 

@@ -140,7 +140,7 @@ std::string question_text(const Case& question) {
 
 std::string_view words_of(oracle::Stage stage) {
   constexpr std::array<std::string_view, oracle::stage_count> words = {
-      "numbers of two words", "numbers of three words", "intervals", "exact numbers"};
+      "numbers of two words", "numbers of three words", "intervals", "integers", "exact numbers"};
   return words[static_cast<std::size_t>(stage)];
 }
 

@@ -293,7 +293,7 @@ std::string summary(const Run& run, const Ink& ink) {
     holding += tally.wrong() == 0;
     valid +=
         tally.cases - tally.of(Verdict::invalid_handled) - tally.of(Verdict::invalid_mishandled);
-    by_exact += tally.of(oracle::Stage::exact);
+    by_exact += tally.of(oracle::Stage::integers) + tally.of(oracle::Stage::exact);
     decided += tally.decided();
   }
   const auto share = [](std::uint64_t part, std::uint64_t whole) {

@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(a_hit_is_told_as_a_closed_form_and_in_digits) {
 BOOST_AUTO_TEST_CASE(touches_are_told_with_their_kind) {
   BOOST_TEST(contains(told("cylinder 0 0 0 0 1 0 1 ray 1 -2 0 0 0.5 0"),
                       "truth     a miss, or the touch before it, as convention has it (decided by "
-                      "exact numbers)\n"
+                      "integers)\n"
                       "  touch, within  t = 4\n"
                       "                   nearest double 4 = 0x1p+2\n"
                       "    ... up to    t = 6\n"));

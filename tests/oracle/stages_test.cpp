@@ -214,9 +214,9 @@ BOOST_AUTO_TEST_CASE(lanes_and_intervals_decide_nearly_all_that_is_nothing_speci
   for (std::size_t shape = 0; shape < shape_count; ++shape)
     for (const Format& format : {float_format, double_format}) {
       if (!family_of("anywhere").draw[shape]) continue;
-      const double decided =
-          share(closed_too(drawn(family_of("anywhere"), shape, format)),
-                [](const Case& question) { return oracle::truth(question).stage != Stage::exact; });
+      const double decided = share(
+          closed_too(drawn(family_of("anywhere"), shape, format)),
+          [](const Case& question) { return oracle::truth(question).stage < Stage::integers; });
       BOOST_TEST(decided > 0.99, shape_names[shape] << ' ' << format.name << ' ' << decided);
     }
 }
@@ -225,11 +225,15 @@ BOOST_AUTO_TEST_CASE(the_stage_that_decided_is_named_as_it_was) {
   each_valid_case([](const Case& question) {
     // Exponents that lie too far apart leave no room for intervals.
     const bool in_reach = oracle::is_moderate(question) || oracle::scaled(question).exact;
-    const bool decided = in_reach && !by_intervals(moderate(question)).unsure;
+    const bool by_interval = in_reach && !by_intervals(moderate(question)).unsure;
+    oracle::InIntegers found;
+    const bool by_integers =
+        in_reach &&
+        settle_in_integers(moderate(question), oracle::most_bits_in_integers, false, found);
     const Stage stage = oracle::truth(question).stage;
-    const bool in_lanes = stage == Stage::lanes || stage == Stage::wide_lanes;
-    if (!oracle::fits_lanes(question) && in_lanes) return false;
-    return in_lanes || stage == (decided ? Stage::interval : Stage::exact);
+    if (stage == Stage::lanes || stage == Stage::wide_lanes) return oracle::fits_lanes(question);
+    if (stage == Stage::interval) return by_interval;
+    return stage == Stage::integers ? by_integers : !by_interval && !by_integers;
   });
 }
 

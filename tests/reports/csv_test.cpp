@@ -42,7 +42,7 @@ std::vector<Row> rows_of(const HandMade& made) { return parsed(write_csv(made.ru
 BOOST_AUTO_TEST_CASE(a_row_for_each_audit_has_a_field_for_each_column) {
   HandMade made;
   turn(made.add("textbook/float", 1, "grazing"), Verdict::false_miss, Claim::none, 7);
-  made.add(0, "far").decided_by = {1, 2, 3, 40};
+  made.add(0, "far").decided_by = {1, 2, 3, 40, 50};
   const auto rows = rows_of(made);
   BOOST_REQUIRE(rows.size() == 3);
   for (const Row& row : rows) BOOST_TEST(row.size() == rows[0].size());
@@ -54,7 +54,8 @@ BOOST_AUTO_TEST_CASE(a_row_for_each_audit_has_a_field_for_each_column) {
   BOOST_TEST(at(rows, 1, "wrong_below_95") == "");
   BOOST_TEST(at(rows, 2, "shape") == "disk");
   BOOST_TEST(at(rows, 2, "wrong_below_95") == "0.03");
-  BOOST_TEST(at(rows, 2, "decided_by_exact") == "40");
+  BOOST_TEST(at(rows, 2, "decided_by_integers") == "40");
+  BOOST_TEST(at(rows, 2, "decided_by_exact") == "50");
 }
 
 BOOST_AUTO_TEST_CASE(counts_stand_under_their_names) {
