@@ -1,8 +1,6 @@
 #pragma once
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "geometry/real.hpp"
@@ -121,10 +119,7 @@ inline constexpr double upward = 1 + 0x1p-48;
               : std::numeric_limits<double>::infinity()};
 }
 
-/// 2^exponent, which is a normal double.
-constexpr double power_of_two(int exponent) {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
-}
+using real_detail::power_of_two;
 
 /// 2 a, without a rounding.
 [[gnu::always_inline]] inline Bounded twice(const Bounded& a) {

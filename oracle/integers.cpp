@@ -28,7 +28,7 @@ class Unit {
   int exponent() const { return last_; }
   /// |x| < 2^bits units for each of the numbers; 0 where there are none.
   int bits() const { return std::max(0, end_ - last_); }
-  /// Is it far from the ends of double? So it is of what is not finite never.
+  /// Are all far from the ends of double? Never where one is not finite.
   bool is_near_1() const { return bits() == 0 || (last_ > -200 && end_ < 200); }
 
  private:
@@ -101,6 +101,7 @@ struct End {
 
   /// False where that takes more bits.
   bool set(double t, int t_exponent) {
+    if (t == 0) return true;
     Unit own;
     own.see(t);
     const int common = std::min(own.exponent(), t_exponent);

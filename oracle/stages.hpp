@@ -32,7 +32,7 @@ struct InIntegers {
 
 /// Settles a valid case, up to its first proper crossing or with all its roots, in whole numbers of
 /// the units that its own are multiples of; false where its largest takes more bits than allowed of
-/// its unit, or that is no power near 1.
+/// its unit, or that is no power near 1. A range may take more bits than that.
 bool settle_in_integers(const Case& question, int most_bits, bool all, InIntegers& found);
 inline constexpr int most_bits_in_integers = 123;
 

@@ -55,7 +55,7 @@ void fill_others(Truth& truth, const Outline& outline, const Values& values, int
   if (is_left_out) add(values[1]);
 }
 
-/// The truth of an outline that intervals are sure of; false where the bounds leave t too wide.
+/// The truth of an outline that is sure; false where the bounds leave t too wide.
 bool fill(Truth& truth, const Case& question, const Outline& outline, const Values& values,
           double relative, int t_exponent) {
   for (int j = 0; j < outline.count; ++j) {
@@ -174,9 +174,10 @@ Some settle_by_integers(std::span<const Case> cases, const Block& in, Some some,
   return settled;
 }
 
-/// By intervals; where those do not tell by integers, and at last exactly.
-void settle_by_intervals(std::span<const Case> cases, const Block& in, std::span<Truth> truths,
-                         int bits) {
+/// By intervals; where those do not tell by integers, if they have not refused, and at last
+/// exactly.
+void settle_by_intervals(std::span<const Case> cases, const Block& in, Some refused,
+                         std::span<Truth> truths, int bits) {
   std::array<Outline, block> outlines;
   std::array<Values, block> values;
   const std::span asked = in.cases();
@@ -184,7 +185,7 @@ void settle_by_intervals(std::span<const Case> cases, const Block& in, std::span
   Some unsure = 0;
   for (std::size_t i = 0; i < in.count; ++i)
     if (outlines[i].unsure) unsure |= one(in.place[i]);
-  const Some settled = settle_by_integers(cases, in, unsure, truths, bits);
+  const Some settled = settle_by_integers(cases, in, unsure & ~refused, truths, bits);
   for (std::size_t i = 0; i < in.count; ++i)
     if ((unsure & ~settled & one(in.place[i])) != 0) outlines[i] = outline_exactly(*asked[i]);
   values_by_bounds(asked, outlines, values);
@@ -211,7 +212,7 @@ void settle_rest(std::span<const Case> cases, Some rest, Some doubtful, std::spa
       truths[i] = exact_truth(cases[i], bits);
   });
   in.leave_out(settle_by_integers(cases, in, doubtful, truths, bits));
-  if (in.count != 0) settle_by_intervals(cases, in, truths, bits);
+  if (in.count != 0) settle_by_intervals(cases, in, doubtful, truths, bits);
 }
 
 void settle_block(std::span<const Case> cases, std::span<Truth> truths, int bits) {

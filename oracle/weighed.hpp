@@ -54,11 +54,11 @@ inline bool fits_double(const Exact& x) {
   return sign == 0 || (least < size && size < most);
 }
 
-/// To the bits of a double at least, or to 150.
+/// To the bits of an L, which takes two doubles, or to 150.
 template <class L>
 L leading(const Surd<L>& a) {
   using std::ldexp;
-  constexpr int parts = std::is_same_v<L, long double> ? 1 : 3;
+  constexpr int parts = std::is_same_v<L, long double> ? 2 : 3;
   if (a.y.sign() == 0 && fits_double(a.x)) {
     L sum = a.x.to_double();
     Exact rest = a.x;

@@ -60,13 +60,32 @@ double ratio(const Real& x, const Real& y) {
   return scaled(x, e) / scaled(y, e);
 }
 
-/// The root of F nearest to t, among all there are.
-const oracle::Root* nearest_root(Settled& settled, const Real& t) {
-  const oracle::Root* nearest = nullptr;
-  for (const oracle::Root& root : settled.roots().roots())
-    if (nearest == nullptr || compare(gap(t, root.t), gap(t, nearest->t)) < 0) nearest = &root;
-  return nearest;
+/// By how much one gap is smaller than another, relatively to the largest of both and t, to whose
+/// size the roots are known.
+double lead(const Real& gap, const Real& other, const Real& t) {
+  const Real by = difference(other, gap);
+  const int way = sign(by);
+  if (way == 0) return 0;
+  const Real &larger = way > 0 ? other : gap, size = absolute(t);
+  return way * ratio(by, compare(larger, size) < 0 ? size : larger);
 }
+
+/// What tells a gap from another where the roots are known to so many bits.
+double least_lead(int bits) { return std::ldexp(1.0, 10 - bits); }
+
+/// The root of F nearest to t, among all there are, and whether it is sure to be.
+struct Nearest {
+  const oracle::Root* root = nullptr;
+  bool sure = true;
+
+  Nearest(const oracle::Roots& roots, const Real& t, int bits) {
+    for (const oracle::Root& other : roots.roots())
+      if (root == nullptr || compare(gap(t, other.t), gap(t, root->t)) < 0) root = &other;
+    for (const oracle::Root& other : roots.roots())
+      if (&other != root && lead(gap(t, root->t), gap(t, other.t), t) < least_lead(bits))
+        sure = false;
+  }
+};
 
 bool is_far(const Real& t, const Real& exact) {
   return sign(t) == 0 ? sign(exact) != 0
@@ -77,9 +96,14 @@ bool is_far(const Real& t, const Real& exact) {
 Claim claim_at(Settled& settled, const Real& t) {
   if (is_nan(t)) return Claim::nan;
   if (is_infinite(t)) return Claim::infinite;
-  const oracle::Root* root = nearest_root(settled, t);
-  if (root == nullptr && settled.roots().constant) return Claim::parallel;
-  return root == nullptr || is_far(t, root->t) ? Claim::no_root : claim_of(root->standing);
+  const auto claim = [&](const Nearest& nearest) {
+    if (nearest.root == nullptr && settled.roots().constant) return Claim::parallel;
+    return nearest.root == nullptr || is_far(t, nearest.root->t) ? Claim::no_root
+                                                                 : claim_of(nearest.root->standing);
+  };
+  if (const Nearest nearest(settled.roots(), t, sharp); nearest.sure) return claim(nearest);
+  const oracle::Roots roots = oracle::roots(settled.question(), sharpest);
+  return claim({roots, t, sharpest});
 }
 
 /// What a bare yes can have meant where no hit is acceptable: the last root along the line.
@@ -177,14 +201,6 @@ void measure(Judgement& judgement, Settled& settled, const Answer& answer, const
   measure_point(judgement, settled, answer, format);
 }
 
-/// By how much one gap is smaller than another, relatively to t; negative where it is larger.
-double lead(const Real& gap, const Real& other, const Real& t) {
-  const Real by = difference(other, gap);
-  const int way = sign(by);
-  if (way == 0) return 0;
-  return way * (sign(t) == 0 ? std::numeric_limits<double>::infinity() : ratio(by, t));
-}
-
 /// How the root stands that is not acceptable and yet nearer to t than every acceptable one, if
 /// there is one. The roots are asked for again, so sharp that only an exact tie is left open, where
 /// it takes that; an acceptable root wins those.
@@ -208,10 +224,8 @@ std::optional<Standing> nearer_elsewhere(Settled& settled, const Choices& choice
     }
     if (!accepted || !refused) return {};
     const double by = lead(*refused, *accepted, t);
-    if (std::fabs(by) > std::ldexp(1.0, 10 - bits)) {
-      if (by > 0) return standing;
-      return {};
-    }
+    if (by > least_lead(bits)) return standing;
+    if (by < -least_lead(bits)) return {};
   }
   return {};
 }

@@ -200,7 +200,7 @@ void add_numbers(CLI::App& command, const std::shared_ptr<AuditOptions>& options
 /// The oracle itself, under audit.
 void add_oracle(CLI::App& command) {
   add_option(command, "--oracle", "plain|checked",
-             "checked: whatever lanes and intervals decide is decided again in exact numbers; exit "
+             "checked: whatever is decided is decided again in exact numbers of any size; exit "
              "3 where they differ",
              [](const std::string& text) {
                if (text == "checked") return oracle::check_every_decision();

@@ -83,6 +83,10 @@ BOOST_AUTO_TEST_CASE(a_t_nearest_to_another_root_is_a_wrong_root) {
 
 BOOST_AUTO_TEST_CASE(an_acceptable_root_wins_ties) {
   BOOST_TEST(told(through + "hit 3") == "wrong_t");
+  // As far from one root as from the other, to whatever number of bits.
+  BOOST_TEST(told("sphere 0 0 0 3 ray 0 0 0 1 1 1 hit 0") == "wrong_t");
+  BOOST_TEST(told("sphere 0 0 0 0.1 ray 0 0 0 0.3 0.7 1.1 hit 0") == "wrong_t");
+  BOOST_TEST(told("sphere 0 0 0 0.1 ray 0 0 0 0.3 0.7 1.1 hit 1e-9") == "wrong_t");
   BOOST_TEST(told(through + "hit 0x1.8000000000001p+1") == "wrong_root later");
 }
 

@@ -97,7 +97,7 @@ bool holds(const oracle::Bounded& t, const oracle::Radical& root, int exponent) 
   const Dyadic exact = exactly(oracle::value(root, 150));
   const Dyadic said = times_power(Dyadic(t.high) + Dyadic(t.low), exponent);
   const Dyadic error = times_power(Dyadic(t.error), exponent);
-  return std::isinf(t.error) || size(said - exact) <= error + times_power(size(exact), -149);
+  return std::isfinite(t.error) && size(said - exact) <= error + times_power(size(exact), -149);
 }
 
 /// A case asked of integers: as it is, or with powers of two taken out.
@@ -112,6 +112,7 @@ struct Asked {
 
   bool agrees(const ExactRoots& to_first, const ExactRoots& all) const {
     const auto& [outline, constant, stretch, values] = found;
+    if (constant != all.constant) return false;
     if (outline.within) return agrees_within(to_first);
     if (outline.count > all.count) return false;
     int crossings = 0;
@@ -230,6 +231,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_left_alone) {
   BOOST_TEST(!settles("sphere 0 0 0 0.1 ray 0 1e-30 -3 0 0 1.1", 123));
   // A range may take wider integers than the rest, up to the widest.
   BOOST_TEST(settles("sphere 0 0 0 1 ray 0 1 -3 0 0 1 range 0.5 inf", 18));
+  BOOST_TEST(settles("sphere 0 0 0 1 ray 0 1 -3 0 0 1 range -inf 0", 18));
   BOOST_TEST(settles("sphere 0 0 0 1 ray 0 1 -3 0 0 1 range 1e-5 inf", 18));
   BOOST_TEST(!settles("sphere 0 0 0 1 ray 0 1 -3 0 0 1 range 1e-50 inf", 123));
   BOOST_TEST(!settles("sphere 0 0 0 1 ray 0 1 -3 0 0 1 range 0 1e60", 123));
