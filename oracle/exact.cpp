@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "oracle/prepared.hpp"
 #include "oracle/radical.hpp"
 #include "oracle/stages.hpp"
@@ -78,9 +76,7 @@ ExactRoots roots_of(const Ray<double>& ray, const S<double>& shape, Extent exten
   Signs<Exact> sign;
   const Outline outline = settle<S<double>>(patch, range, sign, extent, all);
   ExactRoots found;
-  const auto vanishes = [](const Exact& x) { return x.sign() == 0; };
-  found.constant =
-      outline.within || std::all_of(patch.field.c.begin() + 1, patch.field.c.end(), vanishes);
+  found.constant = outline.within || is_constant(patch.field, sign);
   if (outline.within) {
     const Stretch stretch = stretch_of<S<double>>(patch, outline, range, sign, extent);
     const auto of = [&](const StretchEnd& end, bool first) {

@@ -159,7 +159,12 @@ struct Near {
   double high = 0, low = 0;
 };
 
-/// The first 106 bits of x 2^exponent, x not 0.
+[[gnu::always_inline]] inline Near fast_sum(double a, double b) {
+  const Bounded sum = double_word::fast_two_sum(a, b);
+  return {sum.high, sum.low};
+}
+
+/// The first 106 bits of x 2^exponent.
 template <int bits>
 [[gnu::always_inline]] inline Near leading_bits(const Integer<bits>& x, int exponent) {
   const bool negative = x.is_negative();
@@ -180,8 +185,7 @@ template <int bits>
   const double top = static_cast<double>(high >> kept << kept) * unit;
   const std::uint64_t rest = high << (64 - kept) | low >> kept;
   const double bottom = static_cast<double>(rest >> kept << kept) * (unit * 0x1p-53);
-  const double sum = top + bottom;
-  return {sum, bottom - (sum - top)};
+  return fast_sum(top, bottom);
 }
 
 /// x 2^exponent to 8 u^2; the power must leave it well within the exponents of double. Short ones
@@ -198,7 +202,7 @@ template <int bits>
     const double middle = static_cast<double>(x.limb[0] >> 32) * 0x1p32;
     const auto low = static_cast<double>(x.limb[0] & 0xffff'ffff);
     const Bounded s = double_word::two_sum(high, middle);
-    const Bounded t = double_word::fast_two_sum(s.high, s.low + low);
+    const Near t = fast_sum(s.high, s.low + low);
     return {t.high * unit, t.low * unit};
   }
 }

@@ -5,6 +5,7 @@
 
 #include "oracle/fused.hpp"
 #include "oracle/integer.hpp"
+#include "oracle/prepared.hpp"
 #include "oracle/stages.hpp"
 
 namespace rayaudit::oracle {
@@ -60,20 +61,12 @@ struct Units {
   int t_exponent() const { return length.exponent() - direction.exponent(); }
 };
 
-template <class S, class Visit, std::size_t... i>
-void each_part(const S& shape, const Visit& visit, std::index_sequence<i...>) {
-  const auto parts = shape.parts();
-  (visit(S::kinds[i], std::get<i>(parts)), ...);
-}
-
 template <class S>
 Units units_of(const Ray<double>& ray, const S& shape) {
   Units units;
   units.length.see(ray.origin);
   units.direction.see(ray.direction);
-  each_part(
-      shape, [&](Part kind, const auto& part) { units.of(kind).see(part); },
-      std::make_index_sequence<S::kinds.size()>{});
+  each_part(shape, [&](Part kind, const auto& part) { units.of(kind).see(part); });
   return units;
 }
 
@@ -146,10 +139,6 @@ constexpr int exponent_of_field = bits > 450 ? -bits / 2 : 0;
 
 /// The operations of Known in lanes, with the errors proved there: 24 u^2 for a quotient, 6 u^2 for
 /// a root, 4 u^2 for a sum of two of one sign.
-[[gnu::always_inline]] inline Near fast_sum(double a, double b) {
-  const double sum = a + b;
-  return {sum, b - (sum - a)};
-}
 [[gnu::always_inline]] inline Near operator-(const Near& a) { return {-a.high, -a.low}; }
 [[gnu::always_inline]] inline Near twice(const Near& a) { return {2 * a.high, 2 * a.low}; }
 [[gnu::always_inline]] inline Near operator/(const Near& a, const Near& b) {
@@ -262,8 +251,7 @@ bool settle_in(const Case& question, const S<double>& shape, const Units& units,
   const SignsOfIntegers sign;
   found.outline = settle<S<double>>(patch, range, sign, question.extent, all);
   const bool within = found.outline.within;
-  const auto vanishes = [](const auto& x) { return x.sign() == 0; };
-  found.constant = within || std::all_of(patch.field.c.begin() + 1, patch.field.c.end(), vanishes);
+  found.constant = within || is_constant(patch.field, sign);
   if (within)
     found.stretch = stretch_of<S<double>>(patch, found.outline, range, sign, question.extent);
   if (within ? found.stretch.empty : found.outline.count == 0) return true;
@@ -285,9 +273,12 @@ bool settle_in_integers(const Case& question, int most_bits, bool all, InInteger
         const Units units = units_of(question.ray, shape);
         const int bits = units.bits();
         if (bits > most_bits || !units.are_near_1()) return false;
-        return (bits <= 18 && settle_in<18>(question, shape, units, all, found)) ||
-               (bits <= 59 && settle_in<59>(question, shape, units, all, found)) ||
-               (bits <= 123 && settle_in<123>(question, shape, units, all, found));
+        return [&]<std::size_t... i>(std::index_sequence<i...>) {
+          return ((bits <= widths_of_integers[i] &&
+                   settle_in<widths_of_integers[i]>(question, shape, units, all, found)) ||
+                  ...);
+        }
+        (std::make_index_sequence<widths_of_integers.size()>{});
       },
       question.shape);
 }

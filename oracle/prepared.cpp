@@ -51,17 +51,6 @@ struct Scaler {
   }
 };
 
-/// Calls visit(kind, part) for every parameter of the shape.
-template <class S, class V>
-void each_part(S& shape, V&& visit) {
-  std::apply(
-      [&](auto&... part) {
-        std::size_t i = 0;
-        (visit(S::kinds[i++], part), ...);
-      },
-      shape.parts());
-}
-
 }  // namespace
 
 bool is_moderate(const Case& question) {

@@ -4,6 +4,17 @@
 
 namespace rayaudit::oracle {
 
+/// Calls visit(kind, part) for every parameter of the shape.
+template <class S, class V>
+void each_part(S& shape, V&& visit) {
+  std::apply(
+      [&](auto&... part) {
+        std::size_t i = 0;
+        (visit(S::kinds[i++], part), ...);
+      },
+      shape.parts());
+}
+
 /// Are all numbers of the case 0 or within 2^-64 .. 2^64? Then no field, discriminant or side sign
 /// of ours overflows or underflows in double.
 bool is_moderate(const Case& question);

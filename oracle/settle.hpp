@@ -139,6 +139,14 @@ template <class N>
   return squared(f.c[1]) - twice(twice(ProductOf<N, N>(f.c[2] * f.c[0])));
 }
 
+/// Is a field the same all along the line?
+template <class N, int degree, class Sign>
+bool is_constant(const Polynomial<N, degree>& field, Sign& sign) {
+  bool constant = true;
+  for (int i = 1; i <= degree; ++i) constant = constant && sign(field.c[i]) == 0;
+  return constant;
+}
+
 /// Where a root stands against the range: how t lies to either end.
 struct InRange {
   int from_start = 1, to_end = 1;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "oracle/bounded.hpp"
@@ -34,6 +35,7 @@ struct InIntegers {
 /// the units that its own are multiples of; false where its largest takes more bits than allowed of
 /// its unit, or that is no power near 1. A range may take more bits than that.
 bool settle_in_integers(const Case& question, int most_bits, bool all, InIntegers& found);
-inline constexpr int most_bits_in_integers = 123;
+/// The widths there are: a case takes the first that it fits.
+inline constexpr std::array widths_of_integers = {18, 59, 123};
 
 }  // namespace rayaudit::oracle

@@ -148,7 +148,7 @@ bool settle_by_integers(const Case& asked, const Case& given, int t_exponent, in
 
 /// Those of some cases that are short enough to be settled by integers sooner than by anything.
 Some settle_short(std::span<const Case> cases, Some some, std::span<Truth> truths, int bits) {
-  constexpr int most_bits = 18;
+  constexpr int most_bits = widths_of_integers.front();
   Some settled = 0;
   InIntegers found;
   each(some, [&](std::size_t i) {
@@ -167,8 +167,9 @@ Some settle_by_integers(std::span<const Case> cases, const Block& in, Some some,
   InIntegers found;
   for (std::size_t i = 0; i < in.count; ++i) {
     const std::size_t at = in.place[i];
-    if ((some & one(at)) != 0 && settle_by_integers(*in.asked[i], cases[at], in.t_exponent[i],
-                                                    most_bits_in_integers, found, truths[at], bits))
+    if ((some & one(at)) != 0 &&
+        settle_by_integers(*in.asked[i], cases[at], in.t_exponent[i], widths_of_integers.back(),
+                           found, truths[at], bits))
       settled |= one(at);
   }
   return settled;
@@ -229,7 +230,7 @@ void settle_block(std::span<const Case> cases, std::span<Truth> truths, int bits
 std::optional<Roots> roots_by_integers(const Case& question, int bits) {
   const Scaled scale = is_moderate(question) ? Scaled{question} : scaled(question);
   InIntegers found;
-  if (!settle_in_integers(scale.question, most_bits_in_integers, true, found)) return {};
+  if (!settle_in_integers(scale.question, widths_of_integers.back(), true, found)) return {};
   Roots listed{.constant = found.constant};
   for (const Outlined& root : std::span(found.outline.listed.data(), found.outline.count)) {
     const Bounded& t = found.values[root.place()];

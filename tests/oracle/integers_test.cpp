@@ -181,7 +181,7 @@ void each_valid_case(H&& visit) {
 
 BOOST_AUTO_TEST_CASE(integers_of_each_width_find_what_exact_numbers_do) {
   std::array<std::size_t, 3> settled = {};
-  constexpr std::array widths = {18, 59, oracle::most_bits_in_integers};
+  constexpr std::array widths = oracle::widths_of_integers;
   std::size_t within = 0, all_cases = 0;
   each_valid_case([&](const Case& question) {
     ++all_cases;

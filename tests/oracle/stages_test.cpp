@@ -229,7 +229,7 @@ BOOST_AUTO_TEST_CASE(the_stage_that_decided_is_named_as_it_was) {
     oracle::InIntegers found;
     const bool by_integers =
         in_reach &&
-        settle_in_integers(moderate(question), oracle::most_bits_in_integers, false, found);
+        settle_in_integers(moderate(question), oracle::widths_of_integers.back(), false, found);
     const Stage stage = oracle::truth(question).stage;
     if (stage == Stage::lanes || stage == Stage::wide_lanes) return oracle::fits_lanes(question);
     if (stage == Stage::interval) return by_interval;
